@@ -1,6 +1,7 @@
 #include "robot_app/app/demo.h"
 
 #include <coppice_msgs/InjectFault.h>
+#include <coppice_msgs/Person.h>
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -31,6 +33,18 @@ std::string LastLine(const std::string& path) {
     if (!line.empty()) last = line;
   }
   return last;
+}
+
+// Who was met, and how many faces were seen with and without mask.
+std::string PeopleLine(const std::map<std::uint32_t, std::uint8_t>& people) {
+  using coppice_msgs::Person;
+  int with_mask = 0, without_mask = 0;
+  for (const auto& [id, mask] : people) {
+    with_mask += mask == Person::WITH_MASK ? 1 : 0;
+    without_mask += mask == Person::WITHOUT_MASK ? 1 : 0;
+  }
+  return std::to_string(people.size()) + " followed, faces: " + std::to_string(with_mask) +
+         " with mask, " + std::to_string(without_mask) + " without";
 }
 
 // A failure of the demonstration itself; the summary is still printed.
@@ -205,6 +219,7 @@ class Demo {
         {"source", settings_.source.string()},
         {"record", settings_.folder.string()},
         {"speed", settings_.speed},
+        {"perception", settings_.perception ? "yes" : "no"},
         {"seed", settings_.seed},
         {"rounds", settings_.rounds},
         {"stops", settings_.stops},
@@ -258,6 +273,7 @@ class Demo {
     if (watch_) {
       Remember(watch_->view());
       distance_ = watch_->view().distance;
+      people_ = watch_->view().people;
     }
     const bool editor_was_there = editor_.pid() == 0 || editor_.IsRunning();
     if (!editor_was_there) console_.Tell("the editor has ended early; see " + Log("editor"));
@@ -279,7 +295,12 @@ class Demo {
   int Report(const std::string& failure, bool clean) {
     const RunSummary summary = SummarizeFiles((settings_.folder / "application.coppice").string(),
                                               (settings_.folder / "monitor.coppice").string());
-    std::cout << "\n" << ToTable(summary, distance_);
+    std::cout << "\n"
+              << ToTable(summary, distance_) << "people          "
+              << (settings_.perception ? PeopleLine(people_)
+                                       : "not looked for: nobody can be followed faster than real "
+                                         "time (--speed 1)")
+              << "\n";
     std::cout << "\nrecorded run   " << (settings_.folder / "application.coppice").string()
               << "\n               " << (settings_.folder / "monitor.coppice").string() << "\n";
     if (settings_.editor) std::cout << "editor picture " << Picture().string() << "\n";
@@ -321,7 +342,8 @@ class Demo {
   ros::Publisher note_;
   std::unique_ptr<RobotWatch> watch_;
   std::set<pid_t> pids_;
-  double distance_ = 0;  // m
+  double distance_ = 0;                           // m
+  std::map<std::uint32_t, std::uint8_t> people_;  // as in RobotView
 };
 
 }  // namespace

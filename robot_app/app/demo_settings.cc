@@ -24,7 +24,8 @@ const Command& DemoCommand() {
       "",
       {CommandOption::Whole("--rounds", "N", -1, 1e9, "patrol rounds; else 2"),
        CommandOption::Whole("--stops", "N", 0, 1e9, "places per round; else 3"),
-       CommandOption::Real("--speed", "FACTOR", 0.01, 1e6, "times real time; else 5"),
+       CommandOption::Real("--speed", "FACTOR", 0.01, 1e6,
+                           "times real time; else 5. People are seen up to 1"),
        CommandOption::Whole("--seed", "N", 0, UINT32_MAX, "chooses the places; else 1"),
        CommandOption::Text("--run", "FOLDER", "for logs and records; else runs/<date and time>"),
        CommandOption::Whole("--live-port", "N", 0, 65533, "live sockets from there on; else 1667"),
@@ -43,6 +44,7 @@ DemoSettings ReadDemoSettings(const std::vector<std::string>& arguments) {
   settings.seed = options.Get("--seed", "1");
   settings.live_port = options.Get("--live-port", "1667");
   settings.editor = !options.Has("--no-editor");
+  settings.perception = options.Real("--speed", 5) <= 1;
   settings.programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   settings.source = COPPICE_SOURCE_DIR;
   settings.folder = std::filesystem::absolute(options.Get("--run", "runs/" + Timestamp()));

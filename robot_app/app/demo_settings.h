@@ -16,6 +16,7 @@ struct DemoSettings {
   std::string rounds, stops, speed, seed;
   std::string live_port;           ///< of the application; the monitor's is two higher
   bool editor = true;              ///< attach the editor
+  bool perception = false;         ///< look for people: in real time or slower
   std::filesystem::path folder;    ///< everything of this run
   std::filesystem::path programs;  ///< build/bin
   std::filesystem::path source;    ///< the project

@@ -1,6 +1,7 @@
 #include "robot_app/app/robot_watch.h"
 
 #include <coppice_msgs/Health.h>
+#include <coppice_msgs/People.h>
 #include <coppice_msgs/ProcessStates.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseActionGoal.h>
@@ -36,6 +37,13 @@ void UpdateHealth(const coppice_msgs::Health& message, RobotView& view) {
   }
 }
 
+void UpdatePeople(const coppice_msgs::People& message, RobotView& view) {
+  for (const coppice_msgs::Person& person : message.people) {
+    std::uint8_t& mask = view.people[person.id];
+    if (person.mask != coppice_msgs::Person::MASK_UNKNOWN) mask = person.mask;
+  }
+}
+
 }  // namespace
 
 RobotWatch::RobotWatch(ros::NodeHandle& node) {
@@ -43,6 +51,7 @@ RobotWatch::RobotWatch(ros::NodeHandle& node) {
     view.application = message.data;
   });
   Watch<coppice_msgs::ProcessStates>(node, "/processes", UpdateProcesses);
+  Watch<coppice_msgs::People>(node, "/people", UpdatePeople);
   Watch<coppice_msgs::Health>(node, "/monitoring", UpdateHealth);
   Watch<geometry_msgs::PoseStamped>(node, "/simulation/truth",
                                     [](const auto& message, RobotView& view) {

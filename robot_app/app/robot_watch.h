@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -29,6 +30,8 @@ struct RobotView {
   double goal_x = 0;    ///< of the navigation's newest goal [m]
   bool has_goal = false;
   double time = 0;  ///< ROS time [s]
+  /// Everybody who was followed so far, by number: coppice_msgs/Person::mask, as it was known last.
+  std::map<std::uint32_t, std::uint8_t> people;
 };
 
 class RobotWatch {

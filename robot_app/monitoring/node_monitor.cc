@@ -39,10 +39,12 @@ void NodeMonitor::Observe(const std::string& name, const ProbeResult& result) {
 std::vector<Finding> NodeMonitor::Report(const ProcessTable& processes, const Times& now) {
   std::vector<Finding> findings;
   for (Watched& node : nodes_) {
-    if (processes.IsStarting(node.watch.node)) node.misses = 0;
+    const bool is_off = node.watch.is_optional && processes.IsOff(node.watch.node);
+    if (is_off || processes.IsStarting(node.watch.node)) node.misses = 0;
     Finding finding{"node", node.watch.node, node.watch.node, HealthLevel::kOk, 0, "s",
                     "",     now.ros};
     finding.value = InSeconds(node.last.delay);
+    if (is_off) finding.message = kOff;
     if (node.misses > 0) {
       finding.level = node.misses >= node.watch.misses ? HealthLevel::kError : HealthLevel::kWarn;
       finding.message = node.last.reason + " (" + std::to_string(node.misses) + " pings in a row)";

@@ -9,6 +9,11 @@ bool ProcessTable::IsStarting(const std::string& node) const {
   return found != by_node.end() && found->second.phase == ProcessPhase::kStarting;
 }
 
+bool ProcessTable::IsOff(const std::string& node) const {
+  const auto found = by_node.find(node);
+  return found != by_node.end() && found->second.phase == ProcessPhase::kStopped;
+}
+
 int ProcessTable::PidOf(const std::string& node) const {
   const auto found = by_node.find(node);
   return found == by_node.end() ? 0 : found->second.pid;

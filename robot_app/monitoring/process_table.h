@@ -26,11 +26,16 @@ struct ProcessTable {
 
   /// The supervisor is about to start this node, or waits for it to become ready.
   bool IsStarting(const std::string& node) const;
+  /// The supervisor runs this node in other configurations, or was told to leave it out.
+  bool IsOff(const std::string& node) const;
   /// The process of the node; 0 if it does not run or is not known.
   int PidOf(const std::string& node) const;
   /// The computer on which the node runs; empty: the supervisor's own, or not known.
   std::string HostOf(const std::string& node) const;
 };
+
+/// Said of what is optional and switched off.
+inline constexpr char kOff[] = "switched off";
 
 /// Takes what the supervisor knows into account: OK while the node starts; no worse than WARN while
 /// the supervisor itself is about to start it again; else its message is added to an error's.

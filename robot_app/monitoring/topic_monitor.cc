@@ -1,6 +1,7 @@
 #include "robot_app/monitoring/topic_monitor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -65,7 +66,7 @@ void TopicMonitor::Watch(const std::vector<TopicWatch>& topics) {
     for (const Watched& known : topics_) {
       const TopicWatch& before = known.rate.watch();
       const bool same = before.topic == topic.topic && before.window == topic.window &&
-                        before.wall_time == topic.wall_time && before.is_scan == topic.is_scan;
+                        before.wall_time == topic.wall_time && before.content == topic.content;
       if (same) entry.rate.Continue(known.rate);
       if (same) entry.statistics.Continue(known.statistics);
       if (same) entry.pid = known.pid;
@@ -76,21 +77,26 @@ void TopicMonitor::Watch(const std::vector<TopicWatch>& topics) {
 }
 
 void TopicMonitor::OnMessage(const std::string& topic, const Times& now) {
-  for (Watched& entry : topics_) {
-    const TopicWatch& watch = entry.rate.watch();
-    if (watch.topic != topic || watch.is_scan) continue;
-    entry.rate.OnMessage(watch.wall_time ? now.wall : now.ros);
-  }
+  OnContent(topic, Content::kAny, "", now);
 }
 
 void TopicMonitor::OnScan(const std::string& topic, const LaserScan& scan, const Times& now) {
+  OnContent(topic, Content::kLaserScan, IsUsable(scan) ? "" : WhatTells(scan), now);
+}
+
+void TopicMonitor::OnRange(const std::string& topic, float range, const Times& now) {
+  OnContent(topic, Content::kRange, std::isnan(range) ? "it tells no distance" : "", now);
+}
+
+void TopicMonitor::OnContent(const std::string& topic, Content content, const std::string& problem,
+                             const Times& now) {
   for (Watched& entry : topics_) {
     const TopicWatch& watch = entry.rate.watch();
-    if (watch.topic != topic || !watch.is_scan) continue;
-    if (IsUsable(scan)) {
+    if (watch.topic != topic || watch.content != content) continue;
+    if (problem.empty()) {
       entry.rate.OnMessage(watch.wall_time ? now.wall : now.ros);
     } else {
-      entry.rate.OnUnusable(WhatTells(scan));
+      entry.rate.OnUnusable(problem);
     }
   }
 }
@@ -115,7 +121,8 @@ std::vector<Finding> TopicMonitor::Report(const ProcessTable& processes, const T
     const TopicWatch& watch = entry.rate.watch();
     // A start may be shorter than the time between two reports.
     const int pid = processes.PidOf(watch.node);
-    if (processes.IsStarting(watch.node) || pid != entry.pid) {
+    const bool is_off = watch.is_optional && processes.IsOff(watch.node);
+    if (is_off || processes.IsStarting(watch.node) || pid != entry.pid) {
       entry.rate.Reset();
       entry.statistics.Reset();
     }
@@ -123,6 +130,8 @@ std::vector<Finding> TopicMonitor::Report(const ProcessTable& processes, const T
     Finding finding = Assess(entry, now);
     finding.stamp = now.ros;
     finding.monitor = watch.kind;
+    if (is_off) finding.level = leaves::HealthLevel::kOk;
+    if (is_off) finding.message = kOff;
     entry.patience.Apply(finding, now.wall, patience_);
     ApplyGrace(processes, watch.node, finding);
     findings.push_back(std::move(finding));

@@ -53,10 +53,12 @@ class TopicMonitor : public Monitor {
   void Watch(const WatchList& list, const Times&) override { Watch(list.topics); }
   /// Watches these topics from now on; a watch that stays the same keeps what it has seen.
   void Watch(const std::vector<TopicWatch>& topics);
-  /// Topics that are not watched are ignored, and those that are watched as scans.
+  /// Topics that are not watched are ignored, and those of which the content is read.
   void OnMessage(const std::string& topic, const Times& now);
   /// For the topics that are watched as scans.
   void OnScan(const std::string& topic, const LaserScan& scan, const Times& now);
+  /// For the topics that are watched as ranges; not a number: the sensor is blind [m].
+  void OnRange(const std::string& topic, float range, const Times& now);
   /// For the topics that are watched by statistics.
   void OnStatistics(const SubscriberStatistics& statistics, const Times& now);
   /// One finding per topic, value: rate in Hz. A topic whose publisher is being started is reset.
@@ -69,6 +71,9 @@ class TopicMonitor : public Monitor {
     Patience patience;
     int pid = 0;  // of the publisher's process at the last report; 0: none, or not known
   };
+  // `problem`: why the message counts as none; empty: it counts.
+  void OnContent(const std::string& topic, Content content, const std::string& problem,
+                 const Times& now);
   static Finding Assess(Watched& entry, const Times& now);
 
   Duration patience_;

@@ -1,11 +1,12 @@
 // coppice-topic-monitor --config FILE [--folder FOLDER]: node /topic_monitor. Counts the messages
-// of any type without reading them (scans it reads), or takes what their subscribers say on
+// of any type without reading them (scans and ranges it reads), or takes what their subscribers say on
 // /statistics; sees who sends them; looks whether loggers log (their paths begin in FOLDER), and
 // reads what other programs say on /diagnostics. Reports every report_period of wall time.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/TopicStatistics.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/Range.h>
 
 #include <map>
 #include <mutex>
@@ -39,12 +40,14 @@ class Program {
 
  private:
   void Subscribe(const WatchList& list) {
-    std::set<std::string> counted, scans;
+    std::set<std::string> counted, scans, ranges;
     bool needs_statistics = false;
     for (const TopicWatch& watch : list.topics) {
       needs_statistics = needs_statistics || watch.by_statistics;
-      if (watch.is_scan) {
+      if (watch.content == Content::kLaserScan) {
         scans.insert(watch.topic);
+      } else if (watch.content == Content::kRange) {
+        ranges.insert(watch.topic);
       } else if (!watch.by_statistics) {
         counted.insert(watch.topic);
       }
@@ -55,6 +58,7 @@ class Program {
     }
     Keep(counted_, counted, [this](const std::string& topic) { return Count(topic); });
     Keep(scans_, scans, [this](const std::string& topic) { return ReadScans(topic); });
+    Keep(ranges_, ranges, [this](const std::string& topic) { return ReadRanges(topic); });
     SubscribeStatistics(needs_statistics);
     SubscribeDiagnostics(list.diagnostics.has_value());
   }
@@ -81,6 +85,16 @@ class Program {
           const LaserScan scan = ToLaserScan(*event.getMessage(), {});
           const std::lock_guard<std::mutex> lock(counting_);
           topics_.OnScan(topic, scan, now);
+        }));
+  }
+
+  ros::Subscriber ReadRanges(const std::string& topic) {
+    using Event = ros::MessageEvent<sensor_msgs::Range const>;
+    return program_.node().handle().subscribe<sensor_msgs::Range>(
+        topic, kQueue, boost::function<void(const Event&)>([this, topic](const Event& event) {
+          const Times now{FromRos(event.getReceiptTime()), MonitorNode::Now().wall};
+          const std::lock_guard<std::mutex> lock(counting_);
+          topics_.OnRange(topic, event.getMessage()->range, now);
         }));
   }
 
@@ -129,7 +143,7 @@ class Program {
   LoggerMonitor loggers_;
   DiagnosticsMonitor diagnostics_;
   MonitorProgram program_;
-  Subscribers counted_, scans_;
+  Subscribers counted_, scans_, ranges_;
   ros::Subscriber statistics_, diagnostics_subscriber_;
 };
 

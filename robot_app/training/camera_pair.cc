@@ -24,13 +24,13 @@ Eigen::Isometry3d OpticalFrame(const Pose2& lens, double height) {
 }  // namespace
 
 CameraPair::CameraPair(const std::vector<Mount>& mounts,
-                       std::vector<perception::PeopleInPictures> people, double period,
-                       std::uint64_t seed)
-    : period_(period) {
+                       std::vector<perception::PeopleInPictures> people,
+                       const CameraPeriods& periods, std::uint64_t seed)
+    : periods_(periods) {
   for (std::size_t i = 0; i < mounts.size(); ++i) {
-    const double turn = period * static_cast<double>(i) / static_cast<double>(mounts.size());
+    const double turn = periods.depth * static_cast<double>(i) / static_cast<double>(mounts.size());
     cameras_.push_back(
-        {mounts[i], simulation::RgbdCamera({}, 2 * seed + i), std::move(people[i]), turn});
+        {mounts[i], simulation::RgbdCamera({}, 2 * seed + i), std::move(people[i]), turn, turn});
   }
 }
 
@@ -39,7 +39,7 @@ std::optional<Glance> CameraPair::Look(double time, const simulation::Scene& sce
                                        const Pose2& robot) {
   for (Camera& camera : cameras_) {
     if (time + 1e-9 < camera.due) continue;
-    camera.due += period_;
+    camera.due += periods_.depth;
     return Take(camera, time, scene, crowd, robot);
   }
   return std::nullopt;
@@ -59,7 +59,10 @@ Glance CameraPair::Take(Camera& camera, double time, const simulation::Scene& sc
   ranges.lens = options.lens;
   ranges.depth = std::move(picture.depth);
   ranges.optical_in_frame = OpticalFrame(glance.lens, camera.mount.height);
-  glance.people = perception::Join(camera.people.Find(picture.colour, ranges));
+  const bool in_colour = time + 1e-9 >= camera.colour_due;
+  if (in_colour) camera.colour_due += periods_.colour;
+  glance.people = perception::Join(in_colour ? camera.people.Find(picture.colour, ranges)
+                                             : camera.people.FindInDepth(ranges));
   return glance;
 }
 

@@ -20,19 +20,25 @@ struct Glance {
   std::vector<perception::Detection> people;
 };
 
+/// Between two pictures of a camera that are looked at [s].
+struct CameraPeriods {
+  double depth = 0.5;
+  double colour = 0.5;  ///< and no oftener than the depth
+};
+
 class CameraPair {
  public:
-  /// A camera at each of `mounts` (in base_link), with who looks at its pictures; each picture
-  /// `period` seconds after the one before, the cameras in turn.
+  /// A camera at each of `mounts` (in base_link), with who looks at its pictures, the cameras in
+  /// turn.
   CameraPair(const std::vector<Mount>& mounts, std::vector<perception::PeopleInPictures> people,
-             double period, std::uint64_t seed);
+             const CameraPeriods& periods, std::uint64_t seed);
 
   /// If it is time for a picture: who is in it.
   std::optional<Glance> Look(double time, const simulation::Scene& scene,
                              const std::vector<simulation::SeenPerson>& crowd,
                              const simulation::Pose2& robot);
 
-  double period() const { return period_; }
+  const CameraPeriods& periods() const { return periods_; }
 
  private:
   struct Camera {
@@ -40,12 +46,13 @@ class CameraPair {
     simulation::RgbdCamera lens;
     perception::PeopleInPictures people;
     double due = 0;
+    double colour_due = 0;
   };
   Glance Take(Camera& camera, double time, const simulation::Scene& scene,
               const std::vector<simulation::SeenPerson>& crowd, const simulation::Pose2& robot);
 
   std::vector<Camera> cameras_;
-  double period_;
+  CameraPeriods periods_;
 };
 
 }  // namespace coppice::robot::training

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <deque>
 
 #include "robot_app/perception/clouds/hidden.h"
@@ -25,18 +26,6 @@ constexpr double kBorder = 0.5;       // beyond it who is there counts neither w
 constexpr double kLeastSeen = 0.3;    // of a person
 constexpr double kHalfPerson = 0.25;  // m
 constexpr double kWarmUp = 2;         // s
-
-Site Hall() {
-  Site site;
-  site.area = {{0, 0}, {12, 12}, 0};
-  site.still.ceiling = 3;
-  site.still.AddBox({{0, 0}, {12.4, 12.4}, 0}, 3, simulation::Material::kWall);
-  site.still.roofs.clear();  // the box is the walls of the hall, seen from inside
-  site.still.AddBox({{2.5, 2}, {0.4, 0.4}, 0}, 3, simulation::Material::kWall);
-  site.still.AddBox({{-2, -3}, {0.4, 0.4}, 0.5}, 3, simulation::Material::kWall);
-  site.still.AddBox({{4.5, -4}, {0.8, 1.6}, 0}, 0.75, simulation::Material::kFurniture);
-  return site;
-}
 
 Eigen::Vector2d ToEigen(Vec2 point) { return {point.x, point.y}; }
 
@@ -77,7 +66,7 @@ class Experiment {
   Experiment(const Senses& senses, const TrackingScenario& scenario)
       : senses_(senses),
         scenario_(scenario),
-        site_(Hall()),
+        site_(TrackingHall()),
         crowd_(site_, scenario.people, {0, 0}, 0.8, scenario.seed),
         scene_(site_.still),
         lidar_({}, scenario.seed) {
@@ -137,7 +126,7 @@ class Experiment {
     tracker_.Update(glance.time, glance.people, [&](const Eigen::Vector2d& at) {
       return senses_.lidar != nullptr || !IsInView(glance, {at.x(), at.y()});
     });
-    if (senses_.lidar == nullptr) Count(time, senses_.cameras->period() / 2, begin, &glance);
+    if (senses_.lidar == nullptr) Count(time, senses_.cameras->periods().depth / 2, begin, &glance);
   }
 
   // `glance`: only who is in that picture had to be seen.
@@ -168,8 +157,10 @@ class Experiment {
   void Count(double time, double period, Clock::time_point begin, const Glance* glance) {
     figures_.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
     ++figures_.turns;
+    if (scenario_.on_look) scenario_.on_look(time, tracker_);
     if (time < kWarmUp) return;
     figures_.mot.Add(Truth(glance), Tracked(time));
+    if (glance != nullptr) figures_.all_round.Add(Truth(nullptr), Tracked(time));
     figures_.person_minutes += scenario_.people * period / 60;
   }
 
@@ -190,6 +181,18 @@ class Experiment {
 
 }  // namespace
 
+Site TrackingHall() {
+  Site site;
+  site.area = {{0, 0}, {12, 12}, 0};
+  site.still.ceiling = 3;
+  site.still.AddBox({{0, 0}, {12.4, 12.4}, 0}, 3, simulation::Material::kWall);
+  site.still.roofs.clear();  // the box is the walls of the hall, seen from inside
+  site.still.AddBox({{2.5, 2}, {0.4, 0.4}, 0}, 3, simulation::Material::kWall);
+  site.still.AddBox({{-2, -3}, {0.4, 0.4}, 0.5}, 3, simulation::Material::kWall);
+  site.still.AddBox({{4.5, -4}, {0.8, 1.6}, 0}, 0.75, simulation::Material::kFurniture);
+  return site;
+}
+
 TrackingFigures MeasureTracking(const Senses& senses, const TrackingScenario& scenario) {
   return Experiment(senses, scenario).Run();
 }
@@ -202,7 +205,11 @@ std::string Summary(const TrackingFigures& figures) {
                 figures.mot.mota(), figures.mot.missed, figures.mot.people, figures.mot.extra,
                 figures.switches_per_person_minute(), figures.mot.position_error(),
                 1e3 * figures.seconds / std::max(figures.turns, 1));
-  return text;
+  if (figures.all_round.people == 0) return text;
+  char all_round[64];
+  std::snprintf(all_round, sizeof(all_round), "; of all around the robot MOTA %.3f\n",
+                figures.all_round.mota());
+  return std::string(text, std::strlen(text) - 1) + all_round;
 }
 
 }  // namespace coppice::robot::training

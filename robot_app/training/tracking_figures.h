@@ -2,12 +2,14 @@
 #ifndef COPPICE_ROBOT_APP_TRAINING_TRACKING_FIGURES_H_
 #define COPPICE_ROBOT_APP_TRAINING_TRACKING_FIGURES_H_
 
+#include <functional>
 #include <string>
 
 #include "robot_app/perception/clouds/people_finder.h"
 #include "robot_app/perception/tracking/clear_mot.h"
 #include "robot_app/perception/tracking/tracker.h"
 #include "robot_app/training/camera_pair.h"
+#include "robot_app/training/random_hall.h"
 
 namespace coppice::robot::training {
 
@@ -17,7 +19,12 @@ struct TrackingScenario {
   double turning = 0.2;  ///< of the robot on its place, and its sensor [rad/s]
   double delay = 0.25;   ///< until what is seen in a picture is told [s]
   std::uint64_t seed = 1;
+  /// Called whenever somebody was looked for, with the time [s]; may be empty.
+  std::function<void(double time, const perception::Tracker& tracker)> on_look;
 };
+
+/// The hall in which they walk; the robot stands in its middle.
+Site TrackingHall();
 
 /// What people are followed with; null: that sensor is dead.
 struct Senses {
@@ -29,6 +36,8 @@ struct TrackingFigures {
   /// Within 5 m; who is hidden by more than 70 % is optional, and with cameras alone who is not
   /// wholly within the picture.
   perception::ClearMot mot;
+  /// With cameras alone: also of those to whom no camera looks.
+  perception::ClearMot all_round;
   double person_minutes = 0;
   double seconds = 0;  ///< of calculation
   int turns = 0;       ///< of the lidar, or pictures

@@ -13,7 +13,9 @@
 namespace coppice::robot::training {
 namespace {
 
-constexpr double kPicturePeriod = 0.5;  // of a camera, as coppice-camera looks [s]
+// Of a camera, as coppice-camera looks [s]: it looks oftener at the depth without the lidar.
+constexpr CameraPeriods kWithLidar{0.5, 0.5};
+constexpr CameraPeriods kWithoutLidar{0.2, 0.5};
 
 const Command kTrain{
     "coppice-train",
@@ -52,7 +54,7 @@ void Print(const char* sensors, const TrackingFigures& figures) {
 
 // The cameras of the shipped robot with all that is built in.
 Expected<CameraPair> MakeCameras(const std::string& classifier_file, perception::Detector& detector,
-                                 std::uint64_t seed) {
+                                 const CameraPeriods& periods, std::uint64_t seed) {
   const auto robot = RobotDescription::Load(COPPICE_ROBOT);
   if (!robot) return Problem{robot.problem()};
   std::vector<Mount> mounts;
@@ -65,7 +67,7 @@ Expected<CameraPair> MakeCameras(const std::string& classifier_file, perception:
     if (!classifier) return Problem{classifier.problem()};
     people.emplace_back(detector, std::move(*classifier));
   }
-  return CameraPair(mounts, std::move(people), kPicturePeriod, seed);
+  return CameraPair(mounts, std::move(people), periods, seed);
 }
 
 int MeasureWithCameras(perception::PeopleFinder& finder, const std::string& classifier,
@@ -74,7 +76,8 @@ int MeasureWithCameras(perception::PeopleFinder& finder, const std::string& clas
   if (!detector) return Fail(detector.problem());
   for (perception::PeopleFinder* const lidar :
        {&finder, static_cast<perception::PeopleFinder*>(nullptr)}) {
-    auto cameras = MakeCameras(classifier, **detector, scenario.seed);
+    auto cameras = MakeCameras(classifier, **detector,
+                               lidar != nullptr ? kWithLidar : kWithoutLidar, scenario.seed);
     if (!cameras) return Fail(cameras.problem());
     Print(lidar != nullptr ? "lidar and cameras" : "cameras",
           MeasureTracking({lidar, &*cameras}, scenario));

@@ -18,6 +18,10 @@ int FuzzBtlog(std::string_view bytes);
 /// no tick, 3.
 int FuzzClient(std::string_view bytes);
 
+/// The bytes as a cloud of a 3-D lidar: its sizes, its fields, its points. Returns 0 if it is
+/// refused, 1 if no point of it can be used, 2.
+int FuzzCloud(std::string_view bytes);
+
 /// The bytes as a message of multicast DNS, to a robot and to who looks for robots. Texts of robots
 /// must be fit to be shown, and an answer must be read as it was meant. Returns 0 if it is neither,
 /// 1 if robots are found in it, 2 if it is a question that a robot answers.
@@ -46,6 +50,10 @@ int FuzzLiteral(std::string_view bytes);
 /// type of the request, its second part. The tree is ticked in between. Returns how many were
 /// answered with something else than an error.
 int FuzzLive(std::string_view bytes);
+
+/// The bytes as a picture of a camera: behind a 'D' of depths, else in colour. Returns 0 if it is
+/// refused, 1 if it was read.
+int FuzzPicture(std::string_view bytes);
 
 /// The bytes as a record on the disk: frames (frames.h), some types of which write bytes as they
 /// are, cut the file off, begin another one, or open a reader that is refreshed later

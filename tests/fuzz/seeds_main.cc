@@ -4,10 +4,20 @@
 
 #include "tests/fuzz/seeds.h"
 
+#if COPPICE_FUZZ_ROBOT
+#include "tests/fuzz/perception_seeds.h"
+#endif
+
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   int number = 0;
-  for (const auto& [name, input] : coppice::fuzz::AllSeeds()) {
+  auto seeds = coppice::fuzz::AllSeeds();
+#if COPPICE_FUZZ_ROBOT
+  seeds.emplace_back("cloud", coppice::fuzz::SomeCloud());
+  seeds.emplace_back("picture", coppice::fuzz::SomeColourPicture());
+  seeds.emplace_back("picture", coppice::fuzz::SomeDepthPicture());
+#endif
+  for (const auto& [name, input] : seeds) {
     const auto folder = std::filesystem::path(argv[1]) / name;
     std::filesystem::create_directories(folder);
     std::ofstream file(folder / ("seed-" + std::to_string(++number)), std::ios::binary);

@@ -127,6 +127,11 @@ std::vector<std::string> RobotRig::Command() const {
   variables.emplace_back("record", folder_.string());
   variables.emplace_back("live_port", std::to_string(MasterPort() + 1));
   variables.emplace_back("page_port", std::to_string(MasterPort() + 5));
+  // Most tests run faster than real time, where nobody can be followed.
+  const auto is_perception = [](const auto& variable) { return variable.first == "perception"; };
+  if (std::none_of(variables.begin(), variables.end(), is_perception)) {
+    variables.emplace_back("perception", "no");
+  }
   for (const auto& [name, value] : variables) {
     command.push_back("--set");
     command.push_back(name + "=" + value);

@@ -11,7 +11,15 @@ namespace coppice::robot::monitoring {
 
 struct NodeWatch {
   std::string node;
-  int misses = 2;  ///< so many silent pings in a row are an error, fewer a warning
+  int misses = 2;            ///< so many silent pings in a row are an error, fewer a warning
+  bool is_optional = false;  ///< no fault while the supervisor does not run it
+};
+
+/// What is read of the messages of a topic. One that tells too little counts as none at all.
+enum class Content {
+  kAny,        ///< nothing
+  kLaserScan,  ///< sensor_msgs/LaserScan by which the robot may move
+  kRange,      ///< sensor_msgs/Range with a distance, or infinity if nothing is near
 };
 
 struct TopicWatch {
@@ -23,8 +31,8 @@ struct TopicWatch {
   bool wall_time = false;      ///< rate, window and staleness in wall time instead of ROS time
   /// Not subscribed: the rate is taken from what the subscribers report on /statistics.
   bool by_statistics = false;
-  /// Its messages are laser scans. One by which the robot may not move counts as none at all.
-  bool is_scan = false;
+  Content content = Content::kAny;
+  bool is_optional = false;  ///< no fault while the supervisor does not run the node
 };
 
 /// Who may speak on a topic.

@@ -8,12 +8,23 @@ namespace {
 constexpr double kDay = 86400;
 constexpr double kHour = 3600;
 
+Content ReadContent(YamlFields& fields) {
+  const std::string text = fields.Choice("content", "any", {"any", "laser_scan", "range"});
+  if (text == "laser_scan") return Content::kLaserScan;
+  return text == "range" ? Content::kRange : Content::kAny;
+}
+
+bool ReadOptional(YamlFields& fields) {
+  return fields.Choice("optional", "no", {"yes", "no"}) == "yes";
+}
+
 }  // namespace
 
 NodeWatch ReadNodeWatch(YamlFields& fields, int default_misses) {
   NodeWatch watch;
   watch.node = ReadRosName(fields, "node");
   watch.misses = fields.Integer("misses", default_misses, 1, 100);
+  watch.is_optional = ReadOptional(fields);
   fields.Finish();
   return watch;
 }
@@ -25,8 +36,9 @@ TopicWatch ReadTopicWatch(YamlFields& fields, double default_window) {
   watch.kind = fields.Choice("kind", "topic", {"topic", "supervisor"});
   watch.by_statistics =
       fields.Choice("by", "subscriber", {"subscriber", "statistics"}) == "statistics";
-  watch.is_scan = fields.Choice("content", "any", {"any", "laser_scan"}) == "laser_scan";
-  if (watch.is_scan && watch.by_statistics) {
+  watch.is_optional = ReadOptional(fields);
+  watch.content = ReadContent(fields);
+  if (watch.content != Content::kAny && watch.by_statistics) {
     fields.Error(fields.where(), "\"content\" cannot be seen \"by: statistics\"");
   }
   Band otherwise;

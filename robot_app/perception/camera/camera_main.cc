@@ -35,6 +35,7 @@ constexpr char kHelp[] =
 
 constexpr double kStatePeriod = 1;    // wall time [s]
 constexpr double kSilence = 2;        // without a picture: an error; wall time [s]
+constexpr double kLidarAlive = 1;     // no cloud for longer: it is dead; wall time [s]
 constexpr double kSameMoment = 0.15;  // between a picture and the cloud that says how far [s]
 constexpr double kTurn = 0.1;         // of the lidar [s]
 constexpr char kShipped[] = "shipped";
@@ -45,6 +46,7 @@ const ros::Time kLatest(0xFFFFFFF0, 0);
 struct Settings {
   std::string cameras = "front rear";
   double period = 0.5;
+  double depth_period = 0.2;
   std::string frame = "odom";
   std::string depth_classifier = kShipped;
   std::string mask_classifier = kShipped;
@@ -57,6 +59,8 @@ Parameters ParametersOf(Settings& settings) {
   return {
       {"cameras", &settings.cameras, "front, rear or both"},
       {"period", &settings.period, 0.05, 10, "between two pictures; wall time [s]"},
+      {"depth_period", &settings.depth_period, 0.05, 10,
+       "between two looks at the depth alone while no lidar tells; wall time [s]"},
       {"frame", &settings.frame, "in which places are told; it must not move"},
       {"detectors", &choice.built_in, "some of people, faces and masks"},
       {"cascade", &choice.cascade_file, "for faces; else that of Debian's opencv-data"},
@@ -90,8 +94,10 @@ struct Eye {
 
   RgbdTopics topics;
   PeopleInPictures people;
-  ros::WallTime due;    // the next picture
-  std::string problem;  // of the last picture
+  ros::WallTime due;          // the next picture
+  ros::WallTime depth_due;    // the next look at the depth alone
+  std::string problem;        // of the last picture
+  std::string depth_problem;  // of the last look at the depth alone
   std::uint64_t pictures = 0;
   double calculated = 0;  // s, for all of them
 };
@@ -124,60 +130,100 @@ class CameraNode {
       cloud_.reset();
     } else if (!cloud_subscriber_) {
       using sensor_msgs::PointCloud2;
-      cloud_subscriber_ = node_.subscribe<PointCloud2>(
-          "/velodyne_points", 1,
-          boost::function<void(const PointCloud2::ConstPtr&)>(
-              [this](const PointCloud2::ConstPtr& cloud) { cloud_ = cloud; }));
+      cloud_subscriber_ =
+          node_.subscribe<PointCloud2>("/velodyne_points", 1,
+                                       boost::function<void(const PointCloud2::ConstPtr&)>(
+                                           [this](const PointCloud2::ConstPtr& cloud) {
+                                             cloud_ = cloud;
+                                             last_cloud_ = ros::WallTime::now();
+                                           }));
     }
   }
 
   void OnMessage(Eye& eye) {
     const ros::WallTime now = ros::WallTime::now();
     const bool is_overdue = now > eye.due + ros::WallDuration(settings_.period / 2);
-    if (now < eye.due || !eye.topics.HasMoment(is_overdue)) return;
-    const ros::WallDuration period(settings_.period);
-    eye.due = std::max(eye.due + period, now + period * 0.5);
-    const Outcome done = Look(eye);
-    eye.problem = done.problem();
-    if (!done) return;
+    if (now >= eye.due && eye.topics.HasMoment(is_overdue)) {
+      eye.due = NextAfter(eye.due, settings_.period, now);
+      eye.depth_due = now + ros::WallDuration(settings_.depth_period);
+      eye.depth_problem.clear();
+      eye.problem = Counted(eye, now, Look(eye));
+    } else if (IsAloneWithDepth(eye, now)) {
+      eye.depth_due = NextAfter(eye.depth_due, settings_.depth_period, now);
+      eye.depth_problem = Counted(eye, now, LookAtDepth(eye));
+    }
+  }
+
+  static ros::WallTime NextAfter(ros::WallTime due, double period, ros::WallTime now) {
+    return std::max(due + ros::WallDuration(period), now + ros::WallDuration(period / 2));
+  }
+
+  // Only the cameras see people now. A picture in colour that is due has the depth with it.
+  bool IsAloneWithDepth(const Eye& eye, ros::WallTime now) const {
+    const bool has_lidar = settings_.lidar && (now - last_cloud_).toSec() < kLidarAlive;
+    return !has_lidar && now < eye.due && now >= eye.depth_due && eye.topics.HasDepth();
+  }
+
+  // The problem, if there is one.
+  static std::string Counted(Eye& eye, ros::WallTime begin, const Outcome& done) {
+    if (!done) return done.problem();
     ++eye.pictures;
-    eye.calculated += (ros::WallTime::now() - now).toSec();
+    eye.calculated += (ros::WallTime::now() - begin).toSec();
+    return "";
   }
 
   Outcome Look(Eye& eye) {
     Expected<RgbdMoment> moment = eye.topics.Take();
     if (!moment) return Problem{moment.problem()};
-    const std_msgs::Header& header = moment->header;
-    if (header.stamp > kLatest) return Problem{"the picture comes from the far future"};
     if (IsCovered(moment->colour))
       return Problem{"the picture shows nothing: is the lens covered?"};
-    Ranges ranges;
-    ranges.lens = moment->lens;
-    ranges.depth = std::move(moment->depth);
-    const auto optical = PoseOf(header.frame_id, header.stamp);
-    if (!optical) return Problem{optical.problem()};
-    ranges.optical_in_frame = *optical;
-    Outcome cloud = AddLidar(header.stamp, ranges);
-    Publish(eye, *moment, ranges);
+    auto ranges = RangesOf(*moment);
+    if (!ranges) return Problem{ranges.problem()};
+    Outcome cloud = AddLidar(moment->header.stamp, *ranges);
+    Publish(eye, *moment, *ranges, eye.people.Find(moment->colour, *ranges));
     return cloud;
   }
 
-  void Publish(Eye& eye, const RgbdMoment& moment, const Ranges& ranges) {
+  Outcome LookAtDepth(Eye& eye) {
+    Expected<RgbdMoment> moment = eye.topics.TakeDepth();
+    if (!moment) return Problem{moment.problem()};
+    auto ranges = RangesOf(*moment);
+    if (!ranges) return Problem{ranges.problem()};
+    Publish(eye, *moment, *ranges, eye.people.FindInDepth(*ranges));
+    return {};
+  }
+
+  // Takes the depth out of the moment.
+  Expected<Ranges> RangesOf(RgbdMoment& moment) {
+    const std_msgs::Header& header = moment.header;
+    if (header.stamp > kLatest) return Problem{"the picture comes from the far future"};
+    const auto optical = PoseOf(header.frame_id, header.stamp);
+    if (!optical) return Problem{optical.problem()};
+    Ranges ranges;
+    ranges.lens = moment.lens;
+    ranges.depth = std::move(moment.depth);
+    ranges.optical_in_frame = *optical;
+    return ranges;
+  }
+
+  void Publish(const Eye& eye, const RgbdMoment& moment, const Ranges& ranges,
+               const std::vector<PlacedSighting>& seen) {
+    const bool in_colour = moment.colour.width > 0;
+    const int width = in_colour ? moment.colour.width : ranges.depth.width;
+    const int height = in_colour ? moment.colour.height : ranges.depth.height;
     coppice_msgs::Sightings message;
     message.header.stamp = moment.header.stamp;
     message.header.frame_id = settings_.frame;
     message.camera = eye.topics.name();
-    message.width = static_cast<std::uint32_t>(moment.colour.width);
-    message.height = static_cast<std::uint32_t>(moment.colour.height);
+    message.width = static_cast<std::uint32_t>(width);
+    message.height = static_cast<std::uint32_t>(height);
     const Eigen::Vector3d forward = ranges.optical_in_frame.linear().col(2);
     message.lens.x = ranges.optical_in_frame.translation().x();
     message.lens.y = ranges.optical_in_frame.translation().y();
     message.lens.theta = std::atan2(forward.y(), forward.x());
-    message.half_angle = static_cast<float>(HalfAngle(ranges.lens, moment.colour.width));
+    message.half_angle = static_cast<float>(HalfAngle(ranges.lens, width));
     message.farthest = ranges.depth.width > 0 ? static_cast<float>(kFarthestDepth) : 0;
-    for (const PlacedSighting& placed : eye.people.Find(moment.colour, ranges)) {
-      message.sightings.push_back(ToMessage(placed));
-    }
+    for (const PlacedSighting& placed : seen) message.sightings.push_back(ToMessage(placed));
     sightings_.publish(message);
   }
 
@@ -215,9 +261,9 @@ class CameraNode {
     if (eye.topics.is_on() && silence > kSilence) {
       status.level = diagnostic_msgs::DiagnosticStatus::ERROR;
       status.message = "no pictures of camera " + eye.topics.name();
-    } else if (eye.topics.is_on() && !eye.problem.empty()) {
+    } else if (eye.topics.is_on() && !(eye.problem + eye.depth_problem).empty()) {
       status.level = diagnostic_msgs::DiagnosticStatus::ERROR;
-      status.message = eye.problem;
+      status.message = !eye.problem.empty() ? eye.problem : eye.depth_problem;
     }
     const auto add = [&status](const char* key, const std::string& value) {
       status.values.emplace_back();
@@ -243,6 +289,7 @@ class CameraNode {
   Transforms transforms_;
   std::deque<Eye> eyes_;                      // they stay where they are
   sensor_msgs::PointCloud2::ConstPtr cloud_;  // the newest one
+  ros::WallTime last_cloud_;
   std::vector<LidarPoint> points_;
   ros::Subscriber cloud_subscriber_;
   ros::Publisher sightings_, diagnostics_;

@@ -46,11 +46,10 @@ PlacedSighting InFrame(const SeenPerson& person, const Ranges& ranges) {
 }  // namespace
 
 std::vector<PlacedSighting> PeopleInPictures::Find(const Picture& colour, const Ranges& ranges) {
-  std::vector<PlacedSighting> found;
+  std::vector<PlacedSighting> found = FindInDepth(ranges);
   for (const Sighting& sighting : detector_.Find({colour, &ranges.depth, ranges.lens.fx})) {
     found.push_back({sighting, PlaceOf(sighting, ranges).value_or(Place{})});
   }
-  if (ranges.depth.width > 0) FindInDepth(ranges, found);
   std::stable_sort(found.begin(), found.end(),
                    [](const PlacedSighting& a, const PlacedSighting& b) {
                      return a.sighting.confidence > b.sighting.confidence;
@@ -58,8 +57,9 @@ std::vector<PlacedSighting> PeopleInPictures::Find(const Picture& colour, const 
   return found;
 }
 
-void PeopleInPictures::FindInDepth(const Ranges& ranges, std::vector<PlacedSighting>& found) {
-  if (!finder_ && !classifier_) return;
+std::vector<PlacedSighting> PeopleInPictures::FindInDepth(const Ranges& ranges) {
+  std::vector<PlacedSighting> found;
+  if (ranges.depth.width == 0 || (!finder_ && !classifier_)) return found;
   const FinderOptions options = OptionsOf(ranges.optical_in_frame.translation().z());
   if (!finder_) {
     finder_.emplace(options, std::move(*classifier_));
@@ -67,6 +67,7 @@ void PeopleInPictures::FindInDepth(const Ranges& ranges, std::vector<PlacedSight
   }
   TurnOf(ranges.depth, ranges.lens, options.candidates.geometry, kFarthestDepth, points_);
   for (const SeenPerson& person : finder_->Find(points_)) found.push_back(InFrame(person, ranges));
+  return found;
 }
 
 bool IsCovered(const Picture& picture) {

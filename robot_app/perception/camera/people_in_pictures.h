@@ -26,9 +26,10 @@ class PeopleInPictures {
   /// Surest first. The camera looks level; its height must stay as it is.
   std::vector<PlacedSighting> Find(const Picture& colour, const Ranges& ranges);
 
- private:
-  void FindInDepth(const Ranges& ranges, std::vector<PlacedSighting>& found);
+  /// In depth alone: a tenth of the time, and no face is seen. Nobody without a classifier.
+  std::vector<PlacedSighting> FindInDepth(const Ranges& ranges);
 
+ private:
   Detector& detector_;
   std::optional<PersonClassifier> classifier_;  // until the finder has it
   std::optional<PeopleFinder> finder_;          // once the height of the camera is known

@@ -10,17 +10,16 @@ namespace {
 constexpr double kSameMoment = 0.04;  // between the stamps of a picture and its depth [s]
 constexpr double kWidestLens = 1e5;   // pixels
 
-Expected<Lens> LensOf(const sensor_msgs::CameraInfo& info, const Picture& picture) {
+Expected<Lens> LensOf(const sensor_msgs::CameraInfo& info, int width, int height) {
   const Lens lens{info.K[0], info.K[4], info.K[2], info.K[5]};
   const bool is_lens = lens.fx > 1 && lens.fy > 1 && lens.fx < kWidestLens &&
                        lens.fy < kWidestLens && lens.cx > 0 && lens.cx < info.width &&
                        lens.cy > 0 && lens.cy < info.height;
   if (!is_lens) return Problem{"the camera_info says no lens: expected fx, fy, cx, cy in K"};
-  if (static_cast<int>(info.width) != picture.width ||
-      static_cast<int>(info.height) != picture.height) {
+  if (static_cast<int>(info.width) != width || static_cast<int>(info.height) != height) {
     return Problem{"the camera_info is for " + std::to_string(info.width) + " x " +
                    std::to_string(info.height) + " pixels, the picture has " +
-                   std::to_string(picture.width) + " x " + std::to_string(picture.height)};
+                   std::to_string(width) + " x " + std::to_string(height)};
   }
   return lens;
 }
@@ -55,7 +54,11 @@ void RgbdTopics::SetOn(bool is_on) {
     return boost::function<void(const CompressedImage::ConstPtr&)>(
         [this, &newest](const CompressedImage::ConstPtr& message) {
           newest = message;
-          if (&newest == &colour_) last_picture_ = ros::WallTime::now();
+          if (&newest == &colour_) {
+            last_picture_ = ros::WallTime::now();
+          } else {
+            is_depth_new_ = true;
+          }
           changed_();
         });
   };
@@ -85,7 +88,7 @@ Expected<RgbdMoment> RgbdTopics::Take() {
   if (!picture) return Problem{picture.problem()};
   RgbdMoment moment;
   moment.header = colour->header;
-  const Expected<Lens> lens = LensOf(*info_, *picture);
+  const Expected<Lens> lens = LensOf(*info_, picture->width, picture->height);
   if (!lens) return Problem{lens.problem()};
   moment.lens = *lens;
   moment.colour = *std::move(picture);
@@ -95,7 +98,21 @@ Expected<RgbdMoment> RgbdTopics::Take() {
     auto depth = DepthOf(*depth_, moment.colour);
     if (!depth) return Problem{depth.problem()};
     moment.depth = *std::move(depth);
+    is_depth_new_ = false;
   }
+  return moment;
+}
+
+Expected<RgbdMoment> RgbdTopics::TakeDepth() {
+  is_depth_new_ = false;
+  auto depth = DecodeDepth(depth_->data);
+  if (!depth) return Problem{depth.problem()};
+  const Expected<Lens> lens = LensOf(*info_, depth->width, depth->height);
+  if (!lens) return Problem{lens.problem()};
+  RgbdMoment moment;
+  moment.header = depth_->header;
+  moment.lens = *lens;
+  moment.depth = *std::move(depth);
   return moment;
 }
 

@@ -18,8 +18,8 @@ namespace coppice::robot::perception {
 /// Of one moment, decoded.
 struct RgbdMoment {
   std_msgs::Header header;  ///< of the picture: its time and optical frame
-  Picture colour;
-  DepthPicture depth;  ///< without pixels: none came
+  Picture colour;           ///< without pixels: only the depth was asked for
+  DepthPicture depth;       ///< without pixels: none came
   Lens lens;
 };
 
@@ -43,6 +43,12 @@ class RgbdTopics {
   /// what is broken, or does not fit together.
   Expected<RgbdMoment> Take();
 
+  /// A depth picture is there that neither Take nor TakeDepth has decoded.
+  bool HasDepth() const { return is_depth_new_ && depth_ && info_; }
+
+  /// The newest depth picture alone.
+  Expected<RgbdMoment> TakeDepth();
+
   /// When a picture came last, or the topics were subscribed to; wall time.
   ros::WallTime last_picture() const { return last_picture_; }
 
@@ -54,7 +60,9 @@ class RgbdTopics {
   std::function<void()> changed_;
   bool is_on_ = false;
   ros::Subscriber colour_subscriber_, depth_subscriber_, info_subscriber_;
-  sensor_msgs::CompressedImage::ConstPtr colour_, depth_;  // newest, not yet taken
+  sensor_msgs::CompressedImage::ConstPtr colour_;  // newest, not yet taken
+  sensor_msgs::CompressedImage::ConstPtr depth_;   // newest
+  bool is_depth_new_ = false;
   sensor_msgs::CameraInfo::ConstPtr info_;
   ros::WallTime last_picture_;
 };

@@ -92,6 +92,7 @@ class Loader {
       fields.Error(name.where, "duplicate process \"" + name.text + "\"");
     }
     process.group = GroupOf(fields, process.name);
+    process.is_enabled = ReadEnabled(fields);
     if (fields.Has("host")) process.host = Resolve("host", config_.hosts, fields.Text("host"));
 
     const LocatedText node = fields.Text("node", "");
@@ -113,6 +114,16 @@ class Loader {
     fields.Finish();
     config_.groups[process.group].processes.push_back(config_.processes.size());
     config_.processes.push_back(std::move(process));
+  }
+
+  // Mostly a variable, so that one who starts the robot can leave the process out.
+  bool ReadEnabled(YamlFields& fields) {
+    const LocatedText text = fields.Text("enabled", "yes");
+    const std::string value = Fill(text, variables_);
+    if (value != "yes" && value != "no") {
+      fields.Error(text.where, "\"enabled\": expected yes or no, got \"" + value + "\"");
+    }
+    return value != "no";
   }
 
   // A process that names no group is one of its own.
@@ -215,6 +226,7 @@ class Loader {
       }
       configuration.processes = ResolveAll("process", config_.processes, processes);
       configuration.requires_conditions = ResolveAll("condition", config_.conditions, conditions);
+      RemoveDisabled(configuration);
       CheckComplete(name, configuration);
       config_.configurations.push_back(std::move(configuration));
     }
@@ -247,6 +259,12 @@ class Loader {
       file_.Error(name.where, "configuration \"" + name.text +
                                   "\" requires a condition, so nothing can begin with it");
     }
+  }
+
+  void RemoveDisabled(Configuration& configuration) const {
+    Indices& members = configuration.processes;
+    const auto is_disabled = [this](std::size_t i) { return !config_.processes[i].is_enabled; };
+    members.erase(std::remove_if(members.begin(), members.end(), is_disabled), members.end());
   }
 
   // A process would wait for ever for a dependency that is not part of its configuration.

@@ -40,6 +40,7 @@ struct ProcessConfig {
   std::string name;
   std::vector<std::string> command;  ///< program and arguments, variables filled in
   std::string node;                  ///< its ROS node, with slash; may be empty
+  bool is_enabled = true;            ///< off: no configuration runs it, whichever names it
   std::size_t group = 0;
   std::optional<std::size_t> host;   ///< nothing: the supervisor's own
   std::vector<std::size_t> depends;  ///< indices of processes that must be ready before its start
@@ -115,7 +116,7 @@ struct ConditionConfig {
 /// A set of processes that run together, as indices.
 struct Configuration {
   std::string name;
-  std::vector<std::size_t> processes;
+  std::vector<std::size_t> processes;  ///< those that are enabled
   std::vector<std::size_t> requires_conditions;
 };
 

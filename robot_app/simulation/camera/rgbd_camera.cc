@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "robot_app/simulation/camera/person_relief.h"
 #include "robot_app/simulation/camera/surfaces.h"
 
 namespace coppice::robot::simulation {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr double kFarthest = 60;      // m
 constexpr double kNearest = 0.05;     // m
-constexpr double kBulge = 0.1;        // m, of a person towards the lens
 constexpr double kEdge = 0.08;        // share: a larger step of depth is an edge
 constexpr std::uint8_t kCovered = 9;  // of 255
 constexpr int kBlock = 32;            // columns
@@ -209,11 +209,13 @@ class Drawing {
     view.walks = person.stance.walks;
     view.step = 2 * kPi * person.stance.walked / kStride;
     const int drawn = std::clamp(static_cast<int>(std::ceil(pixels_tall)), kLeastTall, kMostTall);
-    Paste(DrawPerson(person.look, view, drawn), middle, place.x, pixels_tall / drawn);
+    PersonRelief relief(MakeFigure(person.stance), lens(), pose_, lens_height_);
+    Paste(DrawPerson(person.look, view, drawn), middle, place.x, pixels_tall / drawn, relief);
   }
 
   // `middle` is the column of the feet; one pixel of `picture` is `zoom` pixels here.
-  void Paste(const PersonPicture& picture, double middle, double depth, double zoom) {
+  void Paste(const PersonPicture& picture, double middle, double depth, double zoom,
+             PersonRelief& relief) {
     const double bottom = lens().cy + lens().fy * lens_height_ / depth;
     const double left = middle - zoom * picture.width / 2;
     const double top = bottom - zoom * picture.height;
@@ -223,14 +225,14 @@ class Drawing {
     const double light = 1.05 * Fog(depth);
     const int last_row = within(bottom, options_.height);
     const int last_column = within(left + zoom * picture.width, options_.width);
-    for (int row = within(top, options_.height); row < last_row; ++row) {
-      const int from_row = std::min(static_cast<int>((row - top) / zoom), picture.height - 1);
-      for (int column = within(left, options_.width); column < last_column; ++column) {
-        const int from_column =
-            std::min(static_cast<int>((column - left) / zoom), picture.width - 1);
+    for (int column = within(left, options_.width); column < last_column; ++column) {
+      relief.LookAlong(column);
+      const int from_column = std::min(static_cast<int>((column - left) / zoom), picture.width - 1);
+      for (int row = within(top, options_.height); row < last_row; ++row) {
+        const int from_row = std::min(static_cast<int>((row - top) / zoom), picture.height - 1);
         const std::uint8_t* const pixel =
             &picture.rgba[4 * (static_cast<std::size_t>(from_row) * picture.width + from_column)];
-        Blend(column, row, pixel, light, depth);
+        Blend(column, row, pixel, light, relief.At(row));
       }
     }
   }
@@ -243,7 +245,7 @@ class Drawing {
       const double mixed = pixel[k] * light + channel * (255 - pixel[3]) / 255.0;
       channel = static_cast<std::uint8_t>(std::min(mixed, 255.0));
     }
-    if (pixel[3] > 127) depth_[i] = static_cast<float>(depth - kBulge);
+    if (pixel[3] > 127) depth_[i] = static_cast<float>(depth);
   }
 
   // Stereo finds nothing where one of its eyes looks past an edge.

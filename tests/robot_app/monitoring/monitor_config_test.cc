@@ -74,16 +74,23 @@ configurations:
   EXPECT_TRUE(config.ForConfiguration("unheard-of").nodes.empty());
 }
 
-TEST_F(MonitorConfigTest, ReadsWhatTheMessagesOfATopicAre) {
+TEST_F(MonitorConfigTest, ReadsWhatTheMessagesOfATopicAreAndWhatIsOptional) {
   const MonitorConfig config = Read(R"(
 configurations:
   operating:
-    topics: [{topic: /scan, node: /lidar, content: laser_scan}, {topic: /odom, node: /base}]
+    nodes: [{node: /base}, {node: /camera, optional: yes}]
+    topics: [{topic: /scan, node: /lidar, content: laser_scan}, {topic: /odom, node: /base},
+             {topic: /sonar, node: /sonar, content: range, optional: yes}]
 )");
   EXPECT_EQ(Errors(), "");
   const WatchList& list = config.ForConfiguration("operating");
-  EXPECT_TRUE(list.topics.at(0).is_scan);
-  EXPECT_FALSE(list.topics.at(1).is_scan);
+  EXPECT_EQ(list.topics.at(0).content, Content::kLaserScan);
+  EXPECT_EQ(list.topics.at(1).content, Content::kAny);
+  EXPECT_FALSE(list.topics.at(1).is_optional);
+  EXPECT_EQ(list.topics.at(2).content, Content::kRange);
+  EXPECT_TRUE(list.topics.at(2).is_optional);
+  EXPECT_FALSE(list.nodes.at(0).is_optional);
+  EXPECT_TRUE(list.nodes.at(1).is_optional);
 }
 
 TEST_F(MonitorConfigTest, WhatIsTakenFromStatisticsIsNotRead) {
@@ -227,13 +234,18 @@ TEST_F(MonitorConfigTest, TheShippedFileIsRightAndFitsTheShippedProcesses) {
   EXPECT_EQ(monitors.lists.size(), robot.configurations.size());
   for (const processes::Configuration& configuration : robot.configurations) {
     std::vector<std::string> nodes = {"/supervisor"};  // who starts the others
+    const auto may_be_watched = [&](const auto& watch) {
+      if (!watch.is_optional) return std::count(nodes.begin(), nodes.end(), watch.node) > 0;
+      return std::any_of(robot.processes.begin(), robot.processes.end(),
+                         [&](const auto& process) { return process.node == watch.node; });
+    };
     for (const std::size_t process : configuration.processes) {
       nodes.push_back(robot.processes[process].node);
     }
     const WatchList& list = monitors.ForConfiguration(configuration.name);
     EXPECT_FALSE(list.nodes.empty()) << configuration.name;
-    for (const NodeWatch& watch : list.nodes) EXPECT_THAT(nodes, testing::Contains(watch.node));
-    for (const TopicWatch& watch : list.topics) EXPECT_THAT(nodes, testing::Contains(watch.node));
+    for (const NodeWatch& watch : list.nodes) EXPECT_TRUE(may_be_watched(watch)) << watch.node;
+    for (const TopicWatch& watch : list.topics) EXPECT_TRUE(may_be_watched(watch)) << watch.topic;
     for (const SourceWatch& watch : list.sources) {
       EXPECT_THAT(nodes, testing::Contains(watch.source));
     }

@@ -178,7 +178,8 @@ TEST_F(ShippedMonitorsTest, ANodeThatMissesItsPingsIsAnError) {
 
 class ShippedTopicsTest : public ShippedMonitorsTest {
  protected:
-  // What is found about a topic whose publisher does `rate` for a minute; scans measure `range`.
+  // What is found about a topic whose publisher does `rate` for a minute; scans and sonars measure
+  // `range`.
   Finding After(const TopicWatch& watch, double rate, float range = 1) const {
     TopicMonitor monitor;
     monitor.Watch({watch});
@@ -190,6 +191,7 @@ class ShippedTopicsTest : public ShippedMonitorsTest {
       if (rate > 0 && now >= next) {
         monitor.OnMessage(watch.topic, {At(now), At(now)});
         monitor.OnScan(watch.topic, scan, {At(now), At(now)});
+        monitor.OnRange(watch.topic, range, {At(now), At(now)});
         next += 1 / rate;
       }
       const bool is_due = static_cast<int>(now * 200) % 100 == 0;
@@ -213,9 +215,10 @@ TEST_F(ShippedTopicsTest, ATopicThatIsSilentOrTooSlowOrTooFastIsAnError) {
   }
 }
 
-TEST_F(ShippedTopicsTest, AScannerThatSeesNothingIsAnErrorThoughItsScansCome) {
+TEST_F(ShippedTopicsTest, AScannerOrSonarThatSeesNothingIsAnErrorThoughItsMessagesCome) {
   for (const TopicWatch& watch : Operating().topics) {
-    if (!watch.is_scan) continue;
+    if (watch.content == Content::kAny) continue;
+    EXPECT_EQ(After(watch, 10).level, HealthLevel::kOk) << watch.topic;
     EXPECT_EQ(After(watch, 10, NAN).level, HealthLevel::kError) << watch.topic;
   }
 }
@@ -232,9 +235,37 @@ TEST_F(ShippedTopicsTest, ARateBetweenTheBandsIsAWarning) {
 TEST_F(ShippedMonitorsTest, TheScannerIsWatchedForScansInEveryConfiguration) {
   for (const WatchList& list : config_.lists) {
     const auto is_scan = [](const TopicWatch& watch) {
-      return watch.topic == "/scan" && watch.is_scan && !watch.node.empty();
+      return watch.topic == "/scan" && watch.content == Content::kLaserScan && !watch.node.empty();
     };
     EXPECT_TRUE(std::any_of(list.topics.begin(), list.topics.end(), is_scan)) << list.configuration;
+  }
+}
+
+TEST_F(ShippedMonitorsTest, PerceptionThatHangsIsAnErrorUnlessItIsSwitchedOff) {
+  for (const char* const configuration : {"operating", "outdoor"}) {
+    const WatchList& list = config_.ForConfiguration(configuration);
+    for (const std::string node : {"/people_tracker", "/camera_detector"}) {
+      const auto watch = std::find_if(list.nodes.begin(), list.nodes.end(),
+                                      [&](const NodeWatch& one) { return one.node == node; });
+      ASSERT_NE(watch, list.nodes.end()) << configuration << node;
+      NodeMonitor monitor;
+      monitor.Watch({*watch});
+      for (int i = 0; i < watch->misses; ++i) monitor.Observe(node, {});
+      EXPECT_EQ(monitor.Report({}, {}).at(0).level, HealthLevel::kError) << node;
+      ProcessTable off;
+      off.by_node[node] = {};
+      EXPECT_EQ(monitor.Report(off, {}).at(0).level, HealthLevel::kOk) << node;
+    }
+  }
+}
+
+TEST_F(ShippedMonitorsTest, EverySonarIsWatchedInEveryConfiguration) {
+  for (const WatchList& list : config_.lists) {
+    const auto is_sonar = [](const TopicWatch& watch) {
+      return watch.topic.rfind("/sonar/", 0) == 0 && watch.content == Content::kRange;
+    };
+    EXPECT_EQ(std::count_if(list.topics.begin(), list.topics.end(), is_sonar), 3)
+        << list.configuration;
   }
 }
 

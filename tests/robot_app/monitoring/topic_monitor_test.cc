@@ -199,7 +199,7 @@ TEST_F(TopicMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
 // The newest finding about scans that have come for two seconds.
 Finding AfterScans(float range) {
   TopicWatch watch = Scan();
-  watch.is_scan = true;
+  watch.content = Content::kLaserScan;
   TopicMonitor monitor;
   monitor.Watch({watch});
   LaserScan scan;
@@ -225,7 +225,7 @@ TEST(TopicMonitor, ScansInWhichNoBeamTellsAnythingAreNone) {
 
 TEST(TopicMonitor, OneBlindScanIsForgivenAndSaid) {
   TopicWatch watch = Scan();
-  watch.is_scan = true;
+  watch.content = Content::kLaserScan;
   TopicMonitor monitor;
   monitor.Watch({watch});
   const Times now{Time(seconds(100)), Time(seconds(100))};
@@ -235,9 +235,43 @@ TEST(TopicMonitor, OneBlindScanIsForgivenAndSaid) {
   EXPECT_EQ(finding.message, "measuring: 0 of 0 beams tell something");
 }
 
+TEST(TopicMonitor, ASonarThatTellsNoDistanceIsNone) {
+  TopicWatch watch = Scan();
+  watch.content = Content::kRange;
+  TopicMonitor monitor;
+  monitor.Watch({watch});
+  Finding finding;
+  for (int i = 0; i <= 20; ++i) {
+    const Time now{seconds(100) + milliseconds(100) * i};
+    monitor.OnRange("/scan", NAN, {now, now});
+    finding = monitor.Report({}, {now, now}).at(0);
+  }
+  EXPECT_EQ(finding.level, HealthLevel::kError);
+  EXPECT_EQ(finding.message, "no usable message for 2 s: it tells no distance");
+}
+
+TEST(TopicMonitor, WhatIsOptionalIsNoFaultWhileItIsSwitchedOffAndIsGivenTimeAfterwards) {
+  TopicWatch watch = Scan();
+  watch.is_optional = true;
+  TopicMonitor monitor;
+  monitor.Watch({watch});
+  ProcessTable off;
+  off.by_node["/scanner"] = {};
+  const auto at = [](int second) {
+    const Time now{seconds(second)};
+    return Times{now, now};
+  };
+  monitor.Report(off, at(100));
+  const Finding finding = monitor.Report(off, at(200)).at(0);
+  EXPECT_EQ(finding.level, HealthLevel::kOk);
+  EXPECT_EQ(finding.message, "switched off");
+  EXPECT_EQ(monitor.Report({}, at(201)).at(0).level, HealthLevel::kOk);
+  EXPECT_EQ(monitor.Report({}, at(210)).at(0).level, HealthLevel::kError);
+}
+
 TEST(TopicMonitor, AScanTopicIsNotCountedUnread) {
   TopicWatch watch = Scan();
-  watch.is_scan = true;
+  watch.content = Content::kLaserScan;
   TopicMonitor monitor;
   monitor.Watch({watch});
   for (int i = 0; i < 20; ++i) {

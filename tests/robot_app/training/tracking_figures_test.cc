@@ -10,12 +10,14 @@
 namespace coppice::robot::training {
 namespace {
 
-perception::PeopleFinder Shipped() {
+perception::PersonClassifier ShippedClassifier() {
   auto classifier = perception::PersonClassifier::Load(
       SourceFolder() + "/robot_app/perception/data/people_in_clouds.yaml");
   EXPECT_TRUE(classifier) << classifier.problem();
-  return {{}, std::move(*classifier)};
+  return std::move(*classifier);
 }
+
+perception::PeopleFinder Shipped() { return {{}, ShippedClassifier()}; }
 
 // Ten people who cross, stop, meet and hide behind each other, three times.
 const std::vector<TrackingFigures>& Crowds() {
@@ -49,6 +51,27 @@ TEST(TrackingFigures, TheyHardlyEverGetAnotherNumber) {
     person_minutes += figures.person_minutes;
   }
   EXPECT_LE(switches / person_minutes, 0.5);
+}
+
+// The front and the rear camera, as they look while the lidar is dead.
+TrackingFigures WithCamerasAlone() {
+  std::vector<perception::PeopleInPictures> people;
+  const auto detector = perception::MakeDetector({});
+  EXPECT_TRUE(detector) << detector.problem();
+  for (int i = 0; i < 2; ++i) people.emplace_back(**detector, ShippedClassifier());
+  const std::vector<Mount> mounts = {{{0.17, 0, 0}, 1.4}, {{-0.17, 0, simulation::kPi}, 1.4}};
+  CameraPair cameras(mounts, std::move(people), {0.2, 2}, 31);
+  TrackingScenario scenario;
+  scenario.seconds = 20;
+  scenario.seed = 31;
+  return MeasureTracking({nullptr, &cameras}, scenario);
+}
+
+TEST(TrackingFigures, WithoutTheLidarWhoIsBeforeACameraIsFollowed) {
+  const TrackingFigures figures = WithCamerasAlone();
+  EXPECT_GT(figures.mot.people, 100);
+  EXPECT_GE(figures.mot.mota(), 0.75) << Summary(figures);
+  EXPECT_LE(figures.mot.position_error(), 0.12) << Summary(figures);
 }
 
 TEST(TrackingFigures, InAnEmptyHallNobodyIsFollowed) {

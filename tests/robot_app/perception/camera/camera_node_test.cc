@@ -25,6 +25,13 @@ const std::string kPrograms = BinaryFolder() + "/bin/";
 
 class CameraNodeTest : public testing::Test {
  protected:
+  // In the entrance hall, where two people walk about.
+  void StartSimulation() {
+    simulator_ =
+        ChildProcess({kPrograms + "coppice-simulator", "_start:=44 0 0", "_localization:=true"},
+                     Temporary("simulator.log"));
+    cameras_ = ChildProcess({kPrograms + "coppice-simulated-cameras"}, Temporary("cameras.log"));
+  }
   void StartCamera(const std::vector<std::string>& arguments) {
     std::vector<std::string> command{kPrograms + "coppice-camera"};
     command.insert(command.end(), arguments.begin(), arguments.end());
@@ -38,15 +45,11 @@ class CameraNodeTest : public testing::Test {
   ros::NodeHandle node_;
   Latest<coppice_msgs::Sightings> sightings_{node_, "/people/sightings"};
   Latest<diagnostic_msgs::DiagnosticArray> diagnostics_{node_, "/diagnostics"};
-  ChildProcess program_;
+  ChildProcess simulator_, cameras_, program_;
 };
 
-// In the entrance hall two people walk about.
 TEST_F(CameraNodeTest, SeesWhoWalksByAndWhere) {
-  const ChildProcess simulator(
-      {kPrograms + "coppice-simulator", "_start:=44 0 0", "_localization:=true"},
-      Temporary("simulator.log"));
-  const ChildProcess cameras({kPrograms + "coppice-simulated-cameras"}, Temporary("cameras.log"));
+  StartSimulation();
   StartCamera({"_frame:=map"});
   const auto sees_somebody = [&] {
     const auto message = sightings_.get();
@@ -59,6 +62,24 @@ TEST_F(CameraNodeTest, SeesWhoWalksByAndWhere) {
   };
   EXPECT_TRUE(Eventually(sees_somebody, kPatience)) << Diagnosis();
   EXPECT_TRUE(Eventually([&] { return Diagnosis() == "looking for people"; }, 10)) << Diagnosis();
+}
+
+TEST_F(CameraNodeTest, WithoutTheLidarItLooksAtTheDepthBetweenTwoPictures) {
+  std::vector<ros::Time> moments;
+  const boost::function<void(const coppice_msgs::Sightings::ConstPtr&)> add =
+      [&](const coppice_msgs::Sightings::ConstPtr& seen) { moments.push_back(seen->header.stamp); };
+  const ros::Subscriber subscriber =
+      node_.subscribe<coppice_msgs::Sightings>("/people/sightings", 10, add);
+  StartSimulation();
+  StartCamera({"_frame:=map", "_cameras:=front", "_lidar:=false", "_period:=10"});
+  const auto looks_often = [&] {
+    for (std::size_t i = 1; i < moments.size(); ++i) {
+      const double between = (moments[i] - moments[i - 1]).toSec();
+      if (between > 0 && between < 4) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(Eventually(looks_often, kPatience)) << Diagnosis();
 }
 
 TEST_F(CameraNodeTest, SaysWhatIsWrongWithAPictureAndLivesOn) {

@@ -225,6 +225,42 @@ TEST_F(RobotConfigTest, AConfigurationMustHoldWhatItsProcessesDependOn) {
   EXPECT_EQ(diagnostics_.all().size(), 1u);
 }
 
+TEST_F(RobotConfigTest, WhatIsNotEnabledIsInNoConfiguration) {
+  const RobotConfig config = Read(
+      "processes:\n"
+      "  - {name: a, command: [x], enabled: \"${seeing:-no}\"}\n"
+      "  - {name: b, command: [x], enabled: yes}\n"
+      "configurations: {all: [a, b]}\n");
+  EXPECT_EQ(Errors(), "");
+  EXPECT_THAT(config.configurations.at(0).processes, ElementsAre(1));
+}
+
+TEST_F(RobotConfigTest, EnabledIsYesOrNo) {
+  Read(
+      "processes:\n"
+      "  - {name: a, command: [x], enabled: perhaps}\n"
+      "configurations: {all: [a]}\n");
+  EXPECT_THAT(Errors(), HasSubstr("\"enabled\": expected yes or no, got \"perhaps\""));
+}
+
+TEST_F(RobotConfigTest, PerceptionCanBeLeftOutOfTheShippedRobot) {
+  const auto runs = [&](const char* perception, const std::string& name) {
+    const RobotConfig config = LoadRobotConfig(
+        SourceFolder() + "/robot_app/config/robot.yaml",
+        {{"bin", "/b"}, {"config", "/c"}, {"record", "/runs/one"}, {"perception", perception}},
+        diagnostics_);
+    for (const std::size_t i : config.configurations[config.initial].processes) {
+      if (config.processes[i].name == name) return true;
+    }
+    return false;
+  };
+  for (const char* const program : {"people_tracker", "camera_detector"}) {
+    EXPECT_TRUE(runs("yes", program)) << program;
+    EXPECT_FALSE(runs("no", program)) << program;
+  }
+  EXPECT_TRUE(runs("no", "navigation"));
+}
+
 TEST_F(RobotConfigTest, TheShippedFileIsRight) {
   const RobotConfig config =
       LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
