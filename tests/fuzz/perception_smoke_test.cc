@@ -18,8 +18,8 @@ TEST(FuzzCloud, MutatedCloudsNeverCrash) {
   for (unsigned seed = 0; seed < 20000; ++seed) {
     ++reached[FuzzCloud(Mutator(seed).Mutate(SomeCloud()))];
   }
-  EXPECT_GT(reached[0], 1000) << "many are refused";
-  EXPECT_GT(reached[2], 1000) << "many are read";
+  EXPECT_GT(reached[0], 100) << "many are refused";
+  EXPECT_GT(reached[2], 100) << "many are read";
 }
 
 class FuzzPictureTest : public testing::TestWithParam<std::string> {};
