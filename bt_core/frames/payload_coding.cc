@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/frames/frame.h"
+
 namespace coppice {
 namespace {
 
@@ -205,6 +207,16 @@ void EncodeGap(const HistoryGap& gap, Encoder& out) {
   out.Unsigned(gap.first_tick);
   out.Unsigned(gap.last_tick);
   out.Unsigned(gap.lost_notes);
+}
+
+std::string MakeGapFrame(const HistoryGap& gap) {
+  Bytes frame;
+  OpenFrame(frame, FrameType::kGap);
+  Encoder encoder(frame);
+  EncodeGap(gap, encoder);
+  CloseFrame(frame, 0);
+  SealFrame(frame.data());
+  return std::string(frame.begin(), frame.end());
 }
 
 std::optional<HistoryGap> DecodeGap(Decoder in) {

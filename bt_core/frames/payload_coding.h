@@ -3,6 +3,7 @@
 #define COPPICE_BT_CORE_FRAMES_PAYLOAD_CODING_H_
 
 #include <optional>
+#include <string>
 
 #include "bt_core/frames/coding.h"
 #include "bt_core/frames/history.h"
@@ -25,6 +26,8 @@ bool DecodeStateBody(Decoder in, const TreeSize& size, HistoryState& state);
 
 void EncodeGap(const HistoryGap& gap, Encoder& out);
 std::optional<HistoryGap> DecodeGap(Decoder in);
+/// The whole frame that says what is missing.
+std::string MakeGapFrame(const HistoryGap& gap);
 
 void EncodeNote(const HistoryNote& note, Encoder& out);
 std::optional<HistoryNote> DecodeNote(Decoder in);

@@ -244,12 +244,6 @@ int Run(const Settings& settings) {
 }  // namespace coppice::robot::expression
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::expression::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "expression", robot::expression::kHelp, parameters)) {
-    return *status;
-  }
-  return robot::expression::Run(settings);
+  using namespace coppice::robot::expression;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "expression", kHelp, Run);
 }

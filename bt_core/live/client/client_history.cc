@@ -6,16 +6,6 @@
 
 namespace coppice {
 
-std::string MakeGapFrame(const HistoryGap& gap) {
-  Bytes frame;
-  OpenFrame(frame, FrameType::kGap);
-  Encoder encoder(frame);
-  EncodeGap(gap, encoder);
-  CloseFrame(frame, 0);
-  SealFrame(frame.data());
-  return std::string(frame.begin(), frame.end());
-}
-
 bool ClientHistory::Begin(const RunId& run, std::uint64_t first) {
   const bool is_same_run = has_frames_ && run == run_;
   if (is_same_run && first == next_) return true;

@@ -54,9 +54,6 @@ class ClientHistory : private HistoryHandler {
   bool has_hole_ = false;   // something is missing before the next state
 };
 
-/// A frame that says what is missing.
-std::string MakeGapFrame(const HistoryGap& gap);
-
 }  // namespace coppice
 
 #endif  // COPPICE_BT_CORE_LIVE_CLIENT_CLIENT_HISTORY_H_

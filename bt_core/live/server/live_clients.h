@@ -21,10 +21,19 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/clock.h"
+#include "bt_core/live/groot2/groot2_protocol.h"
 #include "bt_core/live/server/live_outbox.h"
-#include "bt_core/live/server/received_request.h"
 
 namespace coppice {
+
+/// A request as it arrives, by whatever way.
+struct ReceivedRequest {
+  ClientId client{};  ///< whom to answer
+  bool may_control = false;
+  Duration arrived{0};  ///< in real time
+  groot2::Parts parts;
+};
 
 /// One connection. Any thread.
 class LiveConnection {

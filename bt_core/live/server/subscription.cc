@@ -12,16 +12,6 @@ constexpr std::size_t kMaxPush = 256 << 10;  // bytes, unless a single frame is 
 
 constexpr std::size_t kMaxGapFrame = 128;
 
-std::string GapFrame(const HistoryGap& gap) {
-  Bytes frame;
-  OpenFrame(frame, FrameType::kGap);
-  Encoder encoder(frame);
-  EncodeGap(gap, encoder);
-  CloseFrame(frame, 0);
-  SealFrame(frame.data());
-  return std::string(frame.begin(), frame.end());
-}
-
 }  // namespace
 
 Subscription::Subscription(const FrameStore& store, From from, std::uint64_t number,
@@ -62,7 +52,7 @@ std::size_t Subscription::LeastBytes(const FrameStore& store) const {
 
 // What goes before the next frame and has no number.
 std::string Subscription::Unnumbered(const FrameStore& store) const {
-  std::string frames = gap_ ? GapFrame(*gap_) : "";
+  std::string frames = gap_ ? MakeGapFrame(*gap_) : "";
   if (needs_tree_) frames += store.TreeAt(next_).bytes;
   return frames;
 }

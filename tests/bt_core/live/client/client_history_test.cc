@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bt_core/frames/payload_coding.h"
 #include "tests/bt_core/live/encoded_run.h"
 #include "tests/bt_core/live/watcher.h"
 
