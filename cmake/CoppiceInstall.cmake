@@ -7,6 +7,7 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME engine)
+set(COPPICE_MAINTAINER "The Coppice authors <authors@coppice.invalid>")
 
 set(libraries bt_core bt_core_frames bt_core_record bt_core_analysis bt_core_scenario)
 if(COPPICE_LIVE)
@@ -16,11 +17,11 @@ foreach(library ${libraries})
   string(REPLACE bt_core_ "" name ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
 endforeach()
-install(TARGETS ${libraries} EXPORT coppice ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ${libraries} EXPORT coppice
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(TARGETS coppice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/coppice RENAME copyright)
 install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
-        DESTINATION ${COPPICE_PACKAGE_DIR})
+        DESTINATION ${COPPICE_PACKAGE_DIR} COMPONENT development)
 
 # Node types of other programs, for other tools; ours have them built in.
 install(DIRECTORY bt_core/engine/models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/models
@@ -33,6 +34,43 @@ if(TARGET coppice-edit)
           RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT editor OPTIONAL)
   install(DIRECTORY editor/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/examples
           COMPONENT editor)
+  install(FILES cmake/package/coppice-edit.desktop
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT editor)
+  install(FILES cmake/package/coppice-mime.xml RENAME coppice.xml
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT editor)
+  install(FILES cmake/package/coppice.svg
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT editor)
+endif()
+
+# Who may copy it, and what has changed.
+function(coppice_install_papers component package)
+  install(CODE "execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/package/papers.sh ${package}
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/${package}\"
+    \"${COPPICE_MAINTAINER}\"
+    COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
+endfunction()
+coppice_install_papers(engine coppice)
+coppice_install_papers(development libcoppice-dev)
+if(TARGET coppice-edit)
+  coppice_install_papers(editor coppice-editor)
+endif()
+if(COPPICE_WEB)
+  coppice_install_papers(web coppice-web)
+endif()
+
+# What the programs tell of themselves: pages for `man`, words for the shell.
+function(coppice_install_told component)
+  install(CODE "execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/package/told.sh
+    ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\" ${ARGN}
+    COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
+endfunction()
+find_program(HELP2MAN help2man)  # who only builds does not need it
+mark_as_advanced(HELP2MAN)
+if(HELP2MAN)
+  coppice_install_told(engine coppice)
+  if(TARGET coppice-edit)
+    coppice_install_told(editor edit diff export)
+  endif()
 endif()
 
 # The page lies where the installed program looks for it.
@@ -45,7 +83,7 @@ set(other_headers PATTERN cli EXCLUDE)
 if(NOT COPPICE_LIVE)
   list(APPEND other_headers PATTERN live EXCLUDE)
 endif()
-install(DIRECTORY bt_core DESTINATION include/coppice
+install(DIRECTORY bt_core DESTINATION include/coppice COMPONENT development
         FILES_MATCHING PATTERN "*.h" ${other_headers})
 
 configure_package_config_file(cmake/coppice-config.cmake.in
@@ -56,4 +94,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/coppice-config-version.cm
 install(FILES ${PROJECT_BINARY_DIR}/coppice-config.cmake
               ${PROJECT_BINARY_DIR}/coppice-config-version.cmake
               cmake/CoppiceDependencies.cmake cmake/CoppicePlugin.cmake
-        DESTINATION ${COPPICE_PACKAGE_DIR})
+        DESTINATION ${COPPICE_PACKAGE_DIR} COMPONENT development)

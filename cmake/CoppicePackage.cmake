@@ -1,26 +1,33 @@
 # `./dev package`, or `cpack` in a build folder: Debian packages, so that nobody has to compile.
-#   coppice         the command line, the libraries and headers, the models of other programs
-#   coppice-editor  the editor, `coppice diff` and `coppice export`, the example
+#   coppice         the command line, its manual pages and completion, the models of other programs
+#   libcoppice-dev  libraries and headers, and what find_package(coppice) needs
+#   coppice-editor  the editor, `coppice diff` and `coppice export`, the example; its icon, and that
+#                   it opens records and trees
 #   coppice-web     the editor as a page, for `coppice run --web` (with -DCOPPICE_WEB=ON)
 # The robot is run from its build folder.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packs what is built: no test, no robot
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_PACKAGE_CONTACT "The Coppice authors <coppice@localhost>")
+set(CPACK_PACKAGE_CONTACT "${COPPICE_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Behaviour trees for robots")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL engine)
+set(CPACK_COMPONENTS_ALL engine development)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
 set(CPACK_DEBIAN_ENGINE_PACKAGE_NAME coppice)
-set(CPACK_COMPONENT_ENGINE_DESCRIPTION "Runs, checks, tests, records and replays trees; to build robots with.")
-# Who compiles against it needs what CoppiceDependencies.cmake looks for.
-set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS
-    "libtinyxml2-dev, libzstd-dev, libsodium-dev, libboost-dev, pkg-config")
+set(CPACK_COMPONENT_ENGINE_DESCRIPTION "Runs, checks, tests, records and replays behaviour trees.")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_RECOMMENDS coppice-web)
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcoppice-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers to build robots with.")
+# Who compiles against it needs what CoppiceDependencies.cmake looks for.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "libtinyxml2-dev, libzstd-dev, libsodium-dev, libboost-dev, pkg-config")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "coppice (= ${PROJECT_VERSION})")
 
 if(TARGET coppice-edit)
   list(APPEND CPACK_COMPONENTS_ALL editor)

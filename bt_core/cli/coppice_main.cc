@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
+#include "bt_core/base/version.h"
 #include "bt_core/cli/verbs.h"
 
 namespace {
@@ -50,12 +51,16 @@ void PrintUsage() {
   for (const auto& [verb, summary] : kEditorVerbs) {
     if (std::find(others.begin(), others.end(), verb) != others.end()) PrintVerb(verb, summary);
   }
-  std::cout << "\nOf each: coppice VERB --help\n";
+  std::cout << "\nOf each: coppice VERB --help; of all: coppice --version\n";
 }
 
 int Run(const coppice::Arguments& arguments, char** argv) {
   if (arguments.empty()) return PrintUsage(), 2;
   if (arguments[0] == "--help" || arguments[0] == "help") return PrintUsage(), 0;
+  if (arguments[0] == "--version") {
+    std::cout << "coppice " << coppice::kVersion << "\n";
+    return 0;
+  }
   std::vector<std::string> names = OtherPrograms();
   for (const coppice::Verb& verb : coppice::Verbs()) {
     if (arguments[0] == verb.name()) return verb.run({arguments.begin() + 1, arguments.end()});

@@ -1,12 +1,12 @@
 # Packs this build into Debian packages, unpacks them side by side into a folder, as installing does,
-# and uses what lies there. Called with -D BUILD, WORK, EDITOR, WEB.
+# and uses what lies there. Called with -D BUILD, WORK, EDITOR, WEB, VERSION.
 cmake_minimum_required(VERSION 3.16)
 
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(cpack --config ${BUILD}/CPackConfig.cmake -B ${WORK}/packages)
-set(expected coppice)
+set(expected coppice libcoppice-dev)
 if(EDITOR)
   list(APPEND expected coppice-editor)
 endif()
@@ -28,6 +28,13 @@ file(WRITE ${WORK}/tree.xml [[<root BTCPP_format="4">
 </root>]])
 set(bin ${WORK}/root/usr/bin)
 set(share ${WORK}/root/usr/share/coppice)
+expect("coppice ${VERSION}" ${bin}/coppice --version)
+foreach(told man/man1/coppice.1.gz man/man1/coppice-check.1.gz bash-completion/completions/coppice
+        doc/coppice/copyright doc/libcoppice-dev/changelog.gz)
+  if(NOT EXISTS ${WORK}/root/usr/share/${told})
+    message(FATAL_ERROR "no package has ${told}")
+  endif()
+endforeach()
 run(${bin}/coppice run ${WORK}/tree.xml --quiet)
 if(EDITOR)
   run(${bin}/coppice edit ${share}/examples/delivery.xml --headless --picture ${WORK}/delivery.png)

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "bt_core/base/version.h"
 #include "tests/bt_core/cli/fixture.h"
 #include "tests/support/folders.h"
 
@@ -43,6 +44,11 @@ TEST_F(CoppiceTest, HelpIsNoError) {
   EXPECT_EQ(Call("--help"), 0);
   EXPECT_EQ(Call("run --help"), 0);
   EXPECT_EQ(out_.find("usage: coppice run [options] FILE"), 0u) << out_;
+}
+
+TEST_F(CoppiceTest, TellsItsVersion) {
+  EXPECT_EQ(Call("--version"), 0);
+  EXPECT_EQ(out_, std::string("coppice ") + kVersion + "\n");
 }
 
 TEST_F(CoppiceTest, CompletesInBash) {
