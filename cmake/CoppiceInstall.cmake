@@ -16,6 +16,7 @@ endif()
 foreach(library ${libraries})
   string(REPLACE bt_core_ "" name ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+  add_library(coppice::${name} ALIAS ${library})  # the same name for who adds the sources to theirs
 endforeach()
 install(TARGETS ${libraries} EXPORT coppice
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
