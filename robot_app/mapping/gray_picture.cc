@@ -1,12 +1,13 @@
 #include "robot_app/mapping/gray_picture.h"
 
+#include <filesystem>
 #include <fstream>
 #include <limits>
 
 namespace coppice::robot::mapping {
 namespace {
 
-constexpr std::int64_t kMostPixels = 100'000'000;
+constexpr std::int64_t kMostPixels = 64'000'000;  // a map takes three times as many bytes
 
 // The next number of the header; 0 if there is none. Comments begin with #.
 int NextNumber(std::istream& stream) {
@@ -31,6 +32,10 @@ std::optional<GrayPicture> LoadPgm(const std::string& path, Diagnostics& diagnos
     diagnostics.Error({path, 0, 0}, reason);
     return std::nullopt;
   };
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+    return fail("is a device or a pipe, and no file");
+  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return fail("cannot be opened");
   char magic[2] = {};

@@ -21,7 +21,7 @@ struct GrayPicture {
 /// The file's content.
 std::string ToPgm(const GrayPicture& picture);
 
-/// Reads a file of at most 100 million pixels; nothing, with the reason, if it is none.
+/// Reads a file of at most 64 million pixels; nothing, with the reason, if it is none.
 std::optional<GrayPicture> LoadPgm(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace coppice::robot::mapping

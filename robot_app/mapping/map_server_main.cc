@@ -1,5 +1,6 @@
 // coppice-map-server: the node /map_server, which shows a saved map to all others.
 #include <nav_msgs/OccupancyGrid.h>
+#include <ros/names.h>
 #include <ros/ros.h>
 
 #include <cstdio>
@@ -49,6 +50,10 @@ int Run(const Settings& settings) {
     publisher.publish(ToMessage(*map, settings.frame, ros::Time::now()));
     ROS_INFO("shows %s", file.c_str());
   } else if (settings.stand_in_topic != "none") {
+    std::string problem;
+    if (!ros::names::validate(settings.stand_in_topic, problem)) {
+      return Fail("~stand_in_topic: " + problem);
+    }
     subscriber = node.subscribe<nav_msgs::OccupancyGrid>(
         settings.stand_in_topic, 1,
         [publisher](const nav_msgs::OccupancyGrid::ConstPtr& map) { publisher.publish(map); });

@@ -9,6 +9,8 @@
 namespace coppice::robot::simulation {
 namespace {
 
+constexpr double kFarthest = 200;  // from the origin of the map [m]; larger floors need gigabytes
+
 // Reads typed values out of YAML nodes and reports what is wrong with them by line.
 class Reader {
  public:
@@ -49,7 +51,9 @@ class Reader {
       Error(node.Mark(), what + ": expected a number");
       return 0;
     }
-    return value;
+    if (std::abs(value) <= kFarthest) return value;
+    Error(node.Mark(), what + ": expected a number from -200 to 200");
+    return 0;
   }
 
   std::vector<double> Numbers(const YAML::Node& node, std::size_t count, const std::string& what) {

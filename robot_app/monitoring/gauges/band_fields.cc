@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "robot_app/common/ros_name.h"
+
 namespace coppice::robot::monitoring {
 namespace {
 
@@ -90,10 +92,7 @@ Band ReadBand(YamlFields& fields, const std::string& key, const Band& otherwise)
 
 std::string ReadRosName(YamlFields& fields, const std::string& key) {
   const LocatedText name = fields.Text(key);
-  if (!name.text.empty() && name.text.front() != '/') {
-    fields.Error(name.where,
-                 "\"" + key + "\": expected a ROS name with slash, got \"" + name.text + "\"");
-  }
+  if (!name.text.empty()) ExpectRosName(fields, key, name);
   return name.text;
 }
 

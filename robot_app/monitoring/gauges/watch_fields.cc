@@ -1,5 +1,6 @@
 #include "robot_app/monitoring/gauges/watch_fields.h"
 
+#include "robot_app/common/ros_name.h"
 #include "robot_app/monitoring/gauges/band_fields.h"
 
 namespace coppice::robot::monitoring {
@@ -57,10 +58,7 @@ PublisherWatch ReadPublisherWatch(YamlFields& fields) {
   const std::vector<LocatedText> nodes = fields.Texts("nodes");
   if (nodes.empty()) fields.Error(fields.where(), "\"nodes\" names nobody");
   for (const LocatedText& node : nodes) {
-    if (node.text.rfind('/', 0) != 0) {
-      fields.Error(node.where,
-                   "\"nodes\": expected a ROS name with slash, got \"" + node.text + "\"");
-    }
+    ExpectRosName(fields, "nodes", node);
     watch.nodes.push_back(node.text);
   }
   fields.Finish();

@@ -6,12 +6,15 @@
 #include <optional>
 #include <set>
 
+#include "robot_app/common/ros_name.h"
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/processes/config/group_order.h"
 #include "robot_app/processes/config/robot_config_fields.h"
 
 namespace coppice::robot::processes {
 namespace {
+
+constexpr std::size_t kMost = 1000;  // processes, or groups
 
 class Loader {
  public:
@@ -61,8 +64,17 @@ class Loader {
     }
   }
 
+  // None, with an error, if there are too many.
+  std::vector<YamlFields> FewMaps(const std::string& key) {
+    std::vector<YamlFields> maps = file_.Maps(key);
+    if (maps.size() <= kMost) return maps;
+    file_.Error(file_.where(),
+                "\"" + key + "\": expected at most " + std::to_string(kMost) + " entries");
+    return {};
+  }
+
   void ReadGroups() {
-    for (YamlFields& fields : file_.Maps("groups")) {
+    for (YamlFields& fields : FewMaps("groups")) {
       GroupConfig group;
       const LocatedText name = fields.Text("name");
       group.name = name.text;
@@ -80,7 +92,7 @@ class Loader {
   }
 
   void ReadProcesses() {
-    for (YamlFields& fields : file_.Maps("processes")) ReadProcess(fields);
+    for (YamlFields& fields : FewMaps("processes")) ReadProcess(fields);
     if (config_.processes.empty()) file_.Error(file_.where(), "\"processes\" names no process");
   }
 
@@ -97,10 +109,7 @@ class Loader {
 
     const LocatedText node = fields.Text("node", "");
     process.node = node.text;
-    if (!node.text.empty() && node.text.front() != '/') {
-      fields.Error(node.where,
-                   "\"node\": expected a ROS name with slash, got \"" + node.text + "\"");
-    }
+    if (!node.text.empty()) ExpectRosName(fields, "node", node);
     ReadReadiness(fields, process);
     process.start_timeout = fields.Seconds("start_timeout", 20, 0.1, 3600);
     process.restart = ReadRestartRule(fields);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "robot_app/common/ros_name.h"
+
 namespace coppice::robot::processes {
 namespace {
 
@@ -10,7 +12,7 @@ double ToSeconds(Duration duration) { return std::chrono::duration<double>(durat
 // "topic /NAME" and "service /NAME".
 bool ReadNamed(const std::string& text, const std::string& kind, Readiness readiness,
                ProcessConfig& process) {
-  if (text.rfind(kind + " /", 0) != 0) return false;
+  if (text.rfind(kind + " ", 0) != 0 || !IsRosName(text.substr(kind.size() + 1))) return false;
   process.ready = readiness;
   process.ready_name = text.substr(kind.size() + 1);
   return true;
@@ -66,10 +68,7 @@ HeartbeatConfig ReadHeartbeat(YamlFields fields) {
   HeartbeatConfig heartbeat;
   const LocatedText topic = fields.Text("topic");
   heartbeat.topic = topic.text;
-  if (topic.text.rfind('/', 0) != 0) {
-    fields.Error(topic.where,
-                 "\"topic\": expected a ROS name with slash, got \"" + topic.text + "\"");
-  }
+  ExpectRosName(fields, "topic", topic);
   heartbeat.timeout = fields.Seconds("timeout", ToSeconds(heartbeat.timeout), 0.1, 3600);
   fields.Finish();
   return heartbeat;
@@ -108,7 +107,9 @@ HostConfig ReadHost(const LocatedText& name, YamlFields fields) {
 ConditionConfig ReadCondition(const LocatedText& name, YamlFields fields) {
   ConditionConfig condition;
   condition.name = name.text;
-  condition.topic = fields.Text("topic").text;
+  const LocatedText topic = fields.Text("topic");
+  condition.topic = topic.text;
+  ExpectRosName(fields, "topic", topic);
   condition.current = fields.OptionalNumber("current", -1000, 1000);
   condition.lasting = fields.Seconds("lasting", 0, 0, 3600);
   condition.staleness = fields.Seconds("staleness", ToSeconds(condition.staleness), 0.01, 3600);

@@ -93,5 +93,11 @@ TEST(RosProgramsWithout, AMapNameTheNearestParameter) {
   EXPECT_THAT(run.text, HasSubstr("did you mean \"map\"?"));
 }
 
+TEST(RosProgramsWithout, AMapRefuseATopicThatCannotBe) {
+  const Finished run("coppice-map-server", {"__name:=odd_map", "_stand_in_topic:={map}"});
+  EXPECT_EQ(run.status, 2) << run.text;
+  EXPECT_THAT(run.text, HasSubstr("~stand_in_topic: "));
+}
+
 }  // namespace
 }  // namespace coppice::robot

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -137,6 +138,13 @@ TEST(MapFile, RefusesAPictureThatIsNone) {
   EXPECT_THAT(ProblemsOf(yaml, "P5 2 2 255 xyz"), HasSubstr("too early"));
   EXPECT_THAT(ProblemsOf("image: not_there.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n", ""),
               HasSubstr("not_there.pgm"));
+}
+
+TEST(MapFile, DoesNotWaitForAPipe) {
+  const std::string pipe = Temporary("pipe.pgm");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(ProblemsOf("image: " + pipe + "\nresolution: 0.05\norigin: [0, 0, 0]\n", ""),
+              HasSubstr("is a device or a pipe"));
 }
 
 }  // namespace

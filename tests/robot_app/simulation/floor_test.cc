@@ -64,6 +64,15 @@ TEST(Floor, TellsTheLineOfAMistake) {
               HasSubstr("f.yaml:4:12: error: waypoints: expected a list"));
 }
 
+TEST(Floor, IsNoLargerThanThereIsMemoryFor) {
+  EXPECT_EQ(ErrorsOf("waypoints: [{name: w, pose: [-200, 200, 1]}]"), "");
+  for (const char* const far : {"201", "-1e9", "1e308"}) {
+    EXPECT_THAT(
+        ErrorsOf("waypoints: [{name: w, pose: [" + std::string(far) + ", 0, 0]}]"),
+        HasSubstr("f.yaml:4:30: error: waypoint: pose: expected a number from -200 to 200"));
+  }
+}
+
 TEST(Floor, SuggestsTheRightWordForAMisspeltKey) {
   EXPECT_THAT(ErrorsOf("dors: []"), HasSubstr(R"(unknown key "dors" (did you mean "doors"?))"));
   EXPECT_THAT(ErrorsOf("doors: [{name: d, kind: hinged, hinge: [0, 0], end: [1, 0], swing: up, "

@@ -71,6 +71,16 @@ TEST_F(BandFieldsTest, RosNamesBeginWithASlash) {
   EXPECT_THAT(Errors(), HasSubstr(R"("b": expected a ROS name with slash, got "bad")"));
 }
 
+TEST_F(BandFieldsTest, RosNamesHaveNeitherBlanksNorBrackets) {
+  YamlFields fields = Open("{a: /g/o_0d, b: '/{bad}', c: /bad one}");
+  ReadRosName(fields, "a");
+  EXPECT_EQ(Errors(), "");
+  ReadRosName(fields, "b");
+  EXPECT_THAT(Errors(), HasSubstr(R"("b": expected a ROS name with slash, got "/{bad}")"));
+  ReadRosName(fields, "c");
+  EXPECT_THAT(Errors(), HasSubstr(R"("c": expected a ROS name)"));
+}
+
 TEST_F(BandFieldsTest, ANameListedTwiceIsAnError) {
   CheckUnique(Open("a: 1"), {"x", "y"});
   EXPECT_EQ(Errors(), "");

@@ -61,6 +61,18 @@ TEST_F(RobotConfigFieldsTest, AHeartbeatNeedsATopicWithSlash) {
   EXPECT_THAT(diagnostics_.ToString(), HasSubstr("expected a ROS name with slash, got \"beat\""));
 }
 
+TEST_F(RobotConfigFieldsTest, NamesThatEndAProgramOfRosAreRefused) {
+  ReadHeartbeat(Fields("{topic: '/{beat}'}"));
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("\"topic\": expected a ROS name with slash"));
+  ReadCondition({"charging", {}}, Fields("{topic: /battery state}"));
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("got \"/battery state\""));
+  ProcessConfig process;
+  process.node = "/node";
+  YamlFields fields = Fields("{ready: topic /a b}");
+  ReadReadiness(fields, process);
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("\"topic /a b\" is none of"));
+}
+
 TEST_F(RobotConfigFieldsTest, AHostNeedsACommandAndItsProgramsFolder) {
   ReadHost({"jetson", {}}, Fields("{shell: no}"));
   EXPECT_THAT(diagnostics_.ToString(), HasSubstr("\"command\" is missing"));

@@ -202,6 +202,15 @@ TEST_F(RobotConfigTest, ReportsEverythingAtOnceWithPlaceAndHint) {
   EXPECT_THAT(Errors(), HasSubstr(R"(unknown configuration "al" (did you mean "all"?))"));
 }
 
+TEST_F(RobotConfigTest, MoreProcessesThanARobotHasAreAnError) {
+  std::string text = "processes:\n";
+  for (int i = 0; i <= 1000; ++i) {
+    text += "  - {name: p" + std::to_string(i) + ", command: [x]}\n";
+  }
+  Read(text + "configurations: {all: [p1]}\ninitial: all\n");
+  EXPECT_THAT(Errors(), HasSubstr("\"processes\": expected at most 1000 entries"));
+}
+
 TEST_F(RobotConfigTest, FindsProcessesThatWaitForThemselves) {
   Read(
       "processes:\n"
