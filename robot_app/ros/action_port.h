@@ -53,6 +53,9 @@ class ActionPort {
     since_ = ros::WallTime::now();
   }
 
+  /// Whether the server is there.
+  bool is_connected() { return client_.isServerConnected(); }
+
   void Cancel() {
     bool was_sent = false;
     {

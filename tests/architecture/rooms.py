@@ -88,7 +88,9 @@ FLOORS = {
                                  "simulated devices ([service](service.md#how-it-looks))",
          "robot_app/questionnaire": "what people think of it, asked and counted "
                                     "([service](service.md#asking-people))"},
-        {"robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
+        {"robot_app/speech": "mouth and ear: text to speech, speech to text, the action `/speak`, "
+                             "who is heard and answered ([service](service.md))",
+         "robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
                                "well they have learnt it",
          "robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "
                           "blackboards"},

@@ -28,6 +28,8 @@ class Latest {
     const std::lock_guard<std::mutex> lock(mutex_);
     return message_;
   }
+  /// Whether somebody publishes it: what is published before is lost.
+  bool is_connected() const { return subscriber_.getNumPublishers() > 0; }
   void Forget() {
     const std::lock_guard<std::mutex> lock(mutex_);
     message_.reset();

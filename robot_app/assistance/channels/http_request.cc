@@ -1,6 +1,6 @@
 #include "robot_app/assistance/channels/http_request.h"
 
-#include "robot_app/assistance/channels/curl_handle.h"
+#include "robot_app/common/web/curl_handle.h"
 
 namespace coppice::robot::assistance {
 namespace {

@@ -3,8 +3,8 @@
 #include <ctime>
 #include <string>
 
-#include "robot_app/assistance/channels/curl_handle.h"
 #include "robot_app/assistance/channels/message_text.h"
+#include "robot_app/common/web/curl_handle.h"
 
 namespace coppice::robot::assistance {
 namespace {

@@ -2,6 +2,7 @@
 #ifndef COPPICE_ROBOT_APP_KNOWLEDGE_ANSWERS_ANSWER_H_
 #define COPPICE_ROBOT_APP_KNOWLEDGE_ANSWERS_ANSWER_H_
 
+#include <optional>
 #include <string>
 
 #include "robot_app/knowledge/answers/answer_texts.h"
@@ -22,9 +23,10 @@ const char* Word(AnswerMood mood);
 
 struct Answer {
   AnswerMood mood = AnswerMood::kAnswered;
-  std::string text;     ///< what is said and shown
-  std::string place;    ///< to be shown on the map; may be empty
-  bool guides = false;  ///< and to be driven to, with the person behind
+  std::string text;                     ///< what is said and shown
+  std::string place;                    ///< to be shown on the map; may be empty
+  bool guides = false;                  ///< and to be driven to, with the person behind
+  std::optional<Request> request = {};  ///< what was understood; nothing: it is asked or unknown
 };
 
 /// What an answer depends on beside the knowledge.

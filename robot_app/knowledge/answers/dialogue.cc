@@ -172,7 +172,9 @@ Answer Dialogue::Do(const Request& request, WallTime now) {
   if (request.intent == Intent::kSpeakEnglish) language_ = Language::kEnglish;
   if (request.intent == Intent::kSpeakGerman) language_ = Language::kGerman;
   const Snapshot snapshot(database_);
-  return AnswerTo(database_, texts(), request, {language_, now, way_});
+  Answer answer = AnswerTo(database_, texts(), request, {language_, now, way_});
+  answer.request = request;
+  return answer;
 }
 
 Answer Dialogue::Refuse(const Understanding& heard, std::string_view text, WallTime now) {

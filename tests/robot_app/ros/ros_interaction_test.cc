@@ -3,10 +3,15 @@
 #include <gtest/gtest.h>
 #include <std_msgs/String.h>
 
+#include <filesystem>
+
 #include "bt_core/testing/leaf_harness.h"
 #include "bt_nodes/interaction/interaction_leaves.h"
+#include "robot_app/common/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::adapters {
 namespace {
@@ -32,7 +37,7 @@ class Listener {
   ros::Subscriber subscriber_;
 };
 
-TEST(RosInteraction, SpeaksOnItsTopicAndReportsTheEnd) {
+TEST(RosInteraction, ShowsATextAsLongAsItWouldTakeWhereNobodySpeaks) {
   ros::NodeHandle node;
   RosInteraction interaction(node);
   Listener speech(node, "/speech");
@@ -42,6 +47,20 @@ TEST(RosInteraction, SpeaksOnItsTopicAndReportsTheEnd) {
   EXPECT_EQ(harness.Tick(), Status::kRunning);
   EXPECT_TRUE(Eventually([&] { return speech.text() == "hello"; }));
   EXPECT_TRUE(Eventually([&] { return harness.Tick() == Status::kSuccess; }));
+}
+
+TEST(RosInteraction, SpeaksWithTheMouthAndSucceedsWhenItHasBeenPlayed) {
+  ros::NodeHandle node;
+  TemporaryFolder folder;
+  const ChildProcess mouth(
+      {BinaryFolder() + "/bin/coppice-speech", "_output:=folder:" + folder.Path("said")},
+      folder.Path("log"));
+  RosInteraction interaction(node);
+  ASSERT_TRUE(Eventually([&] { return interaction.has_mouth(); }));
+  LeafHarness harness = LeafHarness::For<leaves::Say>(std::ref<leaves::Interaction>(interaction));
+  harness.Set("text", std::string("hello"));
+  EXPECT_TRUE(Eventually([&] { return harness.Tick() == Status::kSuccess; }));
+  EXPECT_TRUE(std::filesystem::exists(folder.Path("said/0001.wav")));
 }
 
 }  // namespace

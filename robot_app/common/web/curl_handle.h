@@ -1,6 +1,6 @@
 // One transfer of libcurl. Included by .cc files only.
-#ifndef COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CURL_HANDLE_H_
-#define COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CURL_HANDLE_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_WEB_CURL_HANDLE_H_
+#define COPPICE_ROBOT_APP_COMMON_WEB_CURL_HANDLE_H_
 
 #include <curl/curl.h>
 
@@ -12,12 +12,12 @@
 
 #include "bt_core/base/outcome.h"
 
-namespace coppice::robot::assistance {
+namespace coppice::robot {
 
 class CurlHandle {
  public:
   /// `protocols`: those that may be spoken, as "http,https".
-  CurlHandle(const std::string& url, const char* protocols, std::chrono::seconds timeout,
+  CurlHandle(const std::string& url, const char* protocols, std::chrono::milliseconds timeout,
              const std::atomic<bool>& cancelled)
       : handle_((Initialize(), curl_easy_init())) {
     if (!handle_) throw std::bad_alloc();
@@ -26,7 +26,7 @@ class CurlHandle {
     Set(CURLOPT_NOSIGNAL, 1L);
     Set(CURLOPT_NOPROXY, "127.0.0.1,localhost,[::1]");
     Set(CURLOPT_CONNECTTIMEOUT, 5L);
-    Set(CURLOPT_TIMEOUT, static_cast<long>(timeout.count()));
+    Set(CURLOPT_TIMEOUT_MS, static_cast<long>(timeout.count()));
     Set(CURLOPT_NOPROGRESS, 0L);
     Set(CURLOPT_XFERINFODATA, const_cast<std::atomic<bool>*>(&cancelled));
     Set(CURLOPT_XFERINFOFUNCTION, &IsCancelled);
@@ -79,6 +79,6 @@ class CurlHandle {
   char error_[CURL_ERROR_SIZE] = {};
 };
 
-}  // namespace coppice::robot::assistance
+}  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CURL_HANDLE_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_WEB_CURL_HANDLE_H_

@@ -1,0 +1,57 @@
+// Finds utterances in what a microphone hears, by its loudness above the noise of the place.
+//
+//   VoiceActivity activity({});
+//   if (auto utterance = activity.Hear(samples)) ...            // it has ended
+//
+// The noise is followed: it sinks at once and rises slowly, so that a machine that is switched on
+// is no speech for ever. For one thread.
+#ifndef COPPICE_ROBOT_APP_SPEECH_EAR_VOICE_ACTIVITY_H_
+#define COPPICE_ROBOT_APP_SPEECH_EAR_VOICE_ACTIVITY_H_
+
+#include <optional>
+#include <vector>
+
+#include "robot_app/speech/sound/sound.h"
+
+namespace coppice::robot::speech {
+
+struct ActivitySettings {
+  double above_noise = 6;      ///< what is louder is speech [dB]
+  double begins_after = 0.06;  ///< s of it, one after the other
+  double ends_after = 0.6;     ///< s of silence
+  double before = 0.3;         ///< s of what was heard before belong to it
+  double shortest = 0.25;      ///< s of speech; less was a noise
+  double longest = 12;         ///< s; then it is over
+};
+
+class VoiceActivity {
+ public:
+  explicit VoiceActivity(const ActivitySettings& settings) : settings_(settings) {}
+
+  /// More of the sound, at kHearingRate. The utterance that has ended in it, if any, with 0.3 s of
+  /// what was around it.
+  std::optional<Sound> Hear(const std::vector<std::int16_t>& samples);
+  /// The utterance up to now, if there is one: a button was released.
+  std::optional<Sound> Finish();
+  /// Forgets what was heard, but for the noise.
+  void Reset();
+
+  bool hears() const { return in_speech_; }
+  double level() const { return level_ - noise_; }  ///< of the last 10 ms, above the noise [dB]
+
+ private:
+  bool Frame(const std::int16_t* samples);
+
+  ActivitySettings settings_;
+  std::vector<std::int16_t> rest_;   // less than a frame
+  std::vector<std::int16_t> heard_;  // the utterance, or what may be the beginning of one
+  double noise_ = 30, level_ = 30;   // dB of the smallest step
+  bool knows_noise_ = false;
+  bool in_speech_ = false;
+  int loud_ = 0, quiet_ = 0;  // frames, one after the other
+  int speech_ = 0;            // loud frames of the utterance
+};
+
+}  // namespace coppice::robot::speech
+
+#endif  // COPPICE_ROBOT_APP_SPEECH_EAR_VOICE_ACTIVITY_H_

@@ -1,0 +1,41 @@
+// What is said to the robot becomes what it answers, as messages. One conversation at a time: with
+// another person, or after a silence, nothing of it is left.
+#ifndef COPPICE_ROBOT_APP_SPEECH_NODE_CONVERSATION_H_
+#define COPPICE_ROBOT_APP_SPEECH_NODE_CONVERSATION_H_
+
+#include <coppice_msgs/Answer.h>
+
+#include <memory>
+#include <string>
+
+#include "bt_core/base/outcome.h"
+#include "robot_app/knowledge/answers/dialogue.h"
+
+namespace coppice::robot::speech {
+
+class Conversation {
+ public:
+  /// Makes the database from the files of `site` if it is not there yet.
+  static Expected<std::unique_ptr<Conversation>> Open(const std::string& database,
+                                                      const std::string& site,
+                                                      const std::string& language_folder);
+
+  /// `heard.language` may be empty: the one that is spoken now. Of an empty text the answer is that
+  /// nothing was understood.
+  coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard, WallTime now);
+
+  /// The one that is spoken now.
+  knowledge::Language language() const { return dialogue_->language(); }
+
+ private:
+  explicit Conversation(std::unique_ptr<knowledge::Dialogue> dialogue)
+      : dialogue_(std::move(dialogue)) {}
+
+  std::unique_ptr<knowledge::Dialogue> dialogue_;
+  std::string who_;
+  WallTime last_{};
+};
+
+}  // namespace coppice::robot::speech
+
+#endif  // COPPICE_ROBOT_APP_SPEECH_NODE_CONVERSATION_H_

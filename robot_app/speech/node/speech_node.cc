@@ -1,0 +1,195 @@
+#include "robot_app/speech/node/speech_node.h"
+
+#include <coppice_msgs/SpeechState.h>
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+
+#include "robot_app/speech/node/spinner_task.h"
+#include "robot_app/speech/sound/wav_file.h"
+
+namespace coppice::robot::speech {
+namespace {
+
+constexpr double kWatchPeriod = 0.05;  // wall time [s]
+constexpr double kStatePeriod = 1.0;   // wall time [s]
+constexpr int kAnswerPriority = coppice_msgs::SpeakGoal::NORMAL;
+
+void Warn(const std::string& problem) {
+  if (!problem.empty()) ROS_WARN_STREAM(problem);
+}
+
+WallTime WallNow() { return std::chrono::system_clock::now(); }
+
+}  // namespace
+
+Expected<std::unique_ptr<SpeechNode>> SpeechNode::Make(SpeechSettings settings) {
+  Complete(settings);
+  Parts parts;
+  auto clock = std::make_unique<RosClock>();
+  auto output = MakeOutput(settings.output, *clock);
+  if (!output) return Problem{output.problem()};
+  parts.output = *std::move(output);
+  auto device = DeviceOf(settings.microphone);
+  if (!device) return Problem{device.problem()};
+  parts.device = *std::move(device);
+  if (!settings.knowledge.empty()) {
+    auto opened = Conversation::Open(settings.knowledge, settings.site, COPPICE_LANGUAGE_FOLDER);
+    if (!opened) return Problem{opened.problem()};
+    parts.conversation = *std::move(opened);
+  }
+  std::unique_ptr<SpeechNode> node(
+      new SpeechNode(std::move(settings), std::move(clock), std::move(parts)));
+  node->Serve();
+  return node;
+}
+
+SpeechNode::SpeechNode(SpeechSettings settings, std::unique_ptr<RosClock> clock, Parts parts)
+    : settings_(std::move(settings)),
+      clock_(std::move(clock)),
+      parts_(std::move(parts)),
+      voices_(settings_.voices, Warn),
+      mouth_(
+          node_,
+          [this](const std::string& text, const std::string& language) {
+            return voices_.Speak(text, language);
+          },
+          *parts_.output, [this] { return SpokenNow(); }),
+      ear_(settings_.ear, settings_.push_to_talk ? Listening::kPushToTalk : Listening::kAlways),
+      saying_(node_.advertise<std_msgs::String>("/speech", 10)),
+      heard_(node_.advertise<coppice_msgs::Heard>("/speech/heard", 10)),
+      answer_(node_.advertise<coppice_msgs::Answer>("/speech/answer", 10)),
+      state_(node_.advertise<coppice_msgs::SpeechState>("/speech/state", 10, true)) {
+  watch_ = node_.createWallTimer(ros::WallDuration(kWatchPeriod),
+                                 [this](const ros::WallTimerEvent&) { Watch(); });
+  state_timer_ = node_.createWallTimer(ros::WallDuration(kStatePeriod),
+                                       [this](const ros::WallTimerEvent&) { PublishState(); });
+}
+
+void SpeechNode::Serve() {
+  if (!parts_.conversation) return;
+  services_.push_back(node_.advertiseService("/speech/ask", &SpeechNode::OnAsk, this));
+  services_.push_back(node_.advertiseService("/speech/listen", &SpeechNode::OnListen, this));
+  services_.push_back(node_.advertiseService("/speech/hear_file", &SpeechNode::OnHearFile, this));
+  listener_ = std::make_unique<Listener>(
+      ListenerSettings{settings_.knowledge, COPPICE_LANGUAGE_FOLDER, kEnglishModel,
+                       settings_.transcription, !parts_.device.empty()},
+      [this](const HeardUtterance& heard) { SpinnerTask::Post([this, heard] { OnHeard(heard); }); },
+      Warn);
+  if (parts_.device.empty()) return;
+  microphone_ = std::make_unique<Microphone>(
+      parts_.device,
+      [this](const std::vector<std::int16_t>& samples) {
+        SpinnerTask::Post([this, samples] { OnSamples(samples); });
+      },
+      Warn);
+}
+
+std::string SpeechNode::SpokenNow() const {
+  return parts_.conversation ? Code(parts_.conversation->language()) : "en";
+}
+
+void SpeechNode::OnSamples(const std::vector<std::int16_t>& samples) {
+  ear_.set_speaks(mouth_.speaks(), clock_->Now());
+  if (auto utterance = ear_.Hear(samples, clock_->Now())) Listen(*std::move(utterance), "");
+}
+
+void SpeechNode::Listen(Sound utterance, const std::string& who) {
+  listener_->Listen(std::move(utterance), parts_.conversation->language(), who);
+}
+
+void SpeechNode::OnHeard(const HeardUtterance& utterance) {
+  coppice_msgs::Heard heard;
+  heard.header.stamp = ros::Time::now();
+  const bool is_sure = utterance.recognition.confidence >= settings_.least_confidence;
+  heard.text = is_sure ? utterance.recognition.text : "";
+  heard.language = Code(utterance.language);
+  heard.confidence = static_cast<float>(utterance.recognition.confidence);
+  heard.source = coppice_msgs::Heard::MICROPHONE;
+  heard.who = utterance.who;
+  Answer(heard, settings_.answers_aloud);
+}
+
+coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard, bool aloud) {
+  heard_.publish(heard);
+  coppice_msgs::Answer answer = parts_.conversation->Answer(heard, WallNow());
+  answer.header.stamp = ros::Time::now();
+  answer_.publish(answer);
+  if (aloud) mouth_.Say(answer.text, answer.language, kAnswerPriority);
+  return answer;
+}
+
+bool SpeechNode::OnAsk(coppice_msgs::Ask::Request& request, coppice_msgs::Ask::Response& response) {
+  coppice_msgs::Heard heard;
+  heard.header.stamp = ros::Time::now();
+  heard.text = request.text;
+  heard.language = request.language.empty() ? SpokenNow() : request.language;
+  heard.confidence = 1;
+  heard.source = request.source;
+  heard.who = request.who;
+  response.answer = Answer(heard, request.aloud != 0);
+  return true;
+}
+
+bool SpeechNode::OnListen(std_srvs::SetBool::Request& request,
+                          std_srvs::SetBool::Response& response) {
+  if (auto utterance = ear_.set_pressed(request.data != 0, clock_->Now())) {
+    Listen(*std::move(utterance), "");
+  }
+  response.success = 1;
+  PublishState();
+  return true;
+}
+
+bool SpeechNode::OnHearFile(coppice_msgs::HearFile::Request& request,
+                            coppice_msgs::HearFile::Response& response) {
+  const Expected<Sound> sound = ReadWav(request.path);
+  response.ok = 0;
+  if (!sound) {
+    response.message = sound.problem();
+    return true;
+  }
+  ear_.set_speaks(mouth_.speaks(), clock_->Now());
+  if (!ear_.is_open(clock_->Now())) {
+    response.message = "the ear is shut";
+    return true;
+  }
+  auto utterance = ear_.HearWhole(*sound);
+  if (!utterance) {
+    response.message = "nobody speaks in it";
+    return true;
+  }
+  Listen(*std::move(utterance), request.who);
+  response.ok = 1;
+  return true;
+}
+
+// Tells what has changed, and keeps the ear shut.
+void SpeechNode::Watch() {
+  ear_.set_speaks(mouth_.speaks(), clock_->Now());
+  if (mouth_.text() != was_saying_) {
+    was_saying_ = mouth_.text();
+    std_msgs::String message;
+    message.data = was_saying_;
+    saying_.publish(message);
+  }
+  const bool is_open = parts_.conversation && ear_.is_open(clock_->Now());
+  if (mouth_.speaks() == was_speaking_ && is_open == was_open_ && ear_.hears() == was_hearing_) {
+    return;
+  }
+  PublishState();
+}
+
+void SpeechNode::PublishState() {
+  coppice_msgs::SpeechState state;
+  state.header.stamp = ros::Time::now();
+  was_speaking_ = mouth_.speaks();
+  was_open_ = parts_.conversation && ear_.is_open(clock_->Now());
+  was_hearing_ = ear_.hears();
+  state.speaking = was_speaking_ ? 1 : 0;
+  state.listening = was_open_ ? 1 : 0;
+  state.hearing = was_hearing_ ? 1 : 0;
+  state.level = static_cast<float>(ear_.level());
+  state_.publish(state);
+}
+
+}  // namespace coppice::robot::speech

@@ -1,0 +1,81 @@
+#include "robot_app/speech/ear/listener.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "robot_app/speech/mouth/synthesizer.h"
+#include "tests/robot_app/assistance/local_server.h"
+#include "tests/robot_app/knowledge/language_files.h"
+#include "tests/robot_app/knowledge/sample_database.h"
+
+namespace coppice::robot::speech {
+namespace {
+
+using assistance::HttpServer;
+using knowledge::Language;
+
+class ListenerTest : public testing::Test {
+ protected:
+  ListenerSettings Settings(const std::string& url = {}) {
+    ListenerSettings settings;
+    settings.knowledge = sample_.path();
+    settings.language_folder = knowledge::LanguageFolder();
+    settings.service.url = url;
+    settings.service.timeout = std::chrono::milliseconds(1500);
+    return settings;
+  }
+
+  HeardUtterance Heard(const ListenerSettings& settings, Language language = Language::kEnglish) {
+    std::promise<HeardUtterance> heard;
+    Listener listener(
+        settings, [&](const HeardUtterance& utterance) { heard.set_value(utterance); },
+        [this](const std::string& problem) { problem_ = problem; });
+    listener.Listen(said_, language, "visitor");
+    auto answer = heard.get_future();
+    if (answer.wait_for(std::chrono::seconds(60)) != std::future_status::ready) return {};
+    return answer.get();
+  }
+
+  knowledge::SampleDatabase sample_;
+  const Sound said_ = Synthesizer().Speak("where is the reading room", {"en-us+f2", 140})->sound;
+  std::string problem_;
+};
+
+TEST_F(ListenerTest, HearsOfflineWithoutAService) {
+  const HeardUtterance heard = Heard(Settings());
+  EXPECT_EQ(heard.recognition.text, "where is the reading room");
+  EXPECT_EQ(heard.who, "visitor");
+  EXPECT_EQ(problem_, "");
+}
+
+TEST_F(ListenerTest, HearsWithTheServiceWhereItAnswers) {
+  HttpServer server([](const auto&) { return "{\"text\": \"Wo ist die Mensa?\"}"; });
+  EXPECT_EQ(Heard(Settings(server.url()), Language::kGerman).recognition.text, "Wo ist die Mensa?");
+}
+
+TEST_F(ListenerTest, FallsBackWhereTheServiceTalksNonsense) {
+  HttpServer server([](const auto&) { return "<html>"; });
+  EXPECT_EQ(Heard(Settings(server.url())).recognition.text, "where is the reading room");
+  EXPECT_NE(problem_, "");
+}
+
+TEST_F(ListenerTest, FallsBackWhereTheServiceIsAbsent) {
+  std::string url;
+  { url = HttpServer().url(); }
+  EXPECT_EQ(Heard(Settings(url)).recognition.text, "where is the reading room");
+}
+
+TEST_F(ListenerTest, GermanWithoutAServiceIsNotUnderstood) {
+  EXPECT_EQ(Heard(Settings(), Language::kGerman).recognition.text, "");
+}
+
+TEST_F(ListenerTest, WithoutKnowledgeNothingIsHeardAndSomebodyIsTold) {
+  ListenerSettings settings = Settings();
+  settings.knowledge = "/nowhere/campus.db";
+  EXPECT_EQ(Heard(settings).recognition.text, "");
+  EXPECT_NE(problem_.find("speech cannot be recognized"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coppice::robot::speech
