@@ -9,7 +9,7 @@
 namespace coppice::robot::simulation {
 namespace {
 
-constexpr double kFarthest = 200;  // from the origin of the map [m]; larger floors need gigabytes
+constexpr double kFarthest = 100;  // from the origin of the map [m]; larger floors need gigabytes
 
 // Reads typed values out of YAML nodes and reports what is wrong with them by line.
 class Reader {
@@ -52,7 +52,7 @@ class Reader {
       return 0;
     }
     if (std::abs(value) <= kFarthest) return value;
-    Error(node.Mark(), what + ": expected a number from -200 to 200");
+    Error(node.Mark(), what + ": expected a number from -100 to 100");
     return 0;
   }
 
