@@ -40,6 +40,8 @@ struct PortDeclaration {
   std::string description;
   bool required = true;  ///< must be given in the XML; false if optional or with default
   std::optional<std::string> default_text;  ///< a literal, or a key in braces
+  /// The node converts: its key may hold values of another type, and a literal stays a text.
+  bool converts = false;
 };
 
 struct UnsetInput : std::runtime_error {

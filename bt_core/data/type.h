@@ -26,6 +26,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <typeinfo>
 #include <utility>
 
 namespace coppice {
@@ -79,6 +80,7 @@ struct Type {
   bool (*from_json)(std::string_view json, void* out);
   const EnumeratorList* enumerators;  ///< null if it is no enum
   bool has_json_form;                 ///< it brings its own FromJson
+  const std::type_info* info;         ///< of the C++ type: the same for two Types of one C++ type
 };
 
 /// JSON of a type that brings no conversion of its own; see json.h.
@@ -175,6 +177,7 @@ struct Holder {
       &FromJson<T>,
       Enumerators<T>(),
       HasFromJson<T>::value,
+      &typeid(T),
   };
 };
 

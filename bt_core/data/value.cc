@@ -112,6 +112,14 @@ bool Value::FromJson(const Type& type, std::string_view json) {
   return false;
 }
 
+void Value::Assign(const Type& type, const void* from) {
+  if (type_ == &type) {
+    type.copy_assign(data(), from);
+  } else {
+    type.copy_construct(Prepare(type), from);
+  }
+}
+
 void Value::Reset() {
   if (!type_) return;
   type_->destroy(data());

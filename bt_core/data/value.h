@@ -59,6 +59,13 @@ class Value {
     }
   }
 
+  /// Becomes a copy of the object of that type at `from`.
+  void Assign(const Type& type, const void* from);
+
+  /// The value itself, an object of type(). Undefined for an empty value.
+  const void* data() const { return is_inline() ? inline_ : heap_; }
+  void* data() { return is_inline() ? inline_ : heap_; }
+
   /// Becomes the value that the text stands for. False leaves *this empty. A type that brings its
   /// own JSON is also read from "json:" and a JSON text.
   bool Parse(const Type& type, std::string_view text);
@@ -83,8 +90,6 @@ class Value {
     return size <= kInlineSize && alignment <= alignof(double);
   }
   bool is_inline() const { return FitsInline(type_->size, type_->alignment); }
-  const void* data() const { return is_inline() ? inline_ : heap_; }
-  void* data() { return is_inline() ? inline_ : heap_; }
   void* Prepare(const Type& type);  // empties, then returns raw storage for the type
 
   const Type* type_ = nullptr;

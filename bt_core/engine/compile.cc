@@ -11,13 +11,15 @@ namespace coppice {
 
 std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
                                        std::shared_ptr<const Registry> registry,
-                                       Diagnostics& diagnostics, const std::string& tree_id) {
+                                       Diagnostics& diagnostics, const std::string& tree_id,
+                                       OuterKeys outer) {
   Problems problems(diagnostics);
   const std::string id = tree_id.empty() ? project->main_tree() : tree_id;
   CheckTreeNames(*project, *registry, problems);
   const TreeDefinition* tree = FindMainTree(*project, id, problems);
   if (!tree) return nullptr;
-  auto program = TreeCompiler(project, std::move(registry), Tolerance{}, problems).Run(id, *tree);
+  auto program =
+      TreeCompiler(project, std::move(registry), Tolerance{}, problems).Run(id, *tree, outer);
   return problems.has_errors() || project->has_errors() ? nullptr : program;
 }
 

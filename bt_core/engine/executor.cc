@@ -87,6 +87,14 @@ std::vector<Status> Executor::statuses() const {
   return result;
 }
 
+Status Executor::StatusOf(NodeIndex node) const {
+  if (node == kRootNode) return statuses_[node];
+  const NodeIndex parent = program_->info[node].parent;
+  const bool behind =
+      RunsOneChild(nodes_[parent].type) && node > static_cast<NodeIndex>(memory_[parent]);
+  return behind || StatusOf(parent) != Status::kRunning ? Status::kIdle : statuses_[node];
+}
+
 void Executor::RunCalls() {
   if (!inbox_->has_calls()) return;
   inbox_->TakeCalls(calls_);

@@ -110,7 +110,15 @@ class Executor final : public LeafHost, public ChildHost {
   std::uint64_t ticks() const { return ticks_; }
   /// Status of every node, as it is between ticks.
   std::vector<Status> statuses() const;
+  /// Status of one node, the same way.
+  Status StatusOf(NodeIndex node) const;
   const Blackboard& blackboard() const { return blackboard_; }
+  /// For front ends that give programs their own way to the keys: whoever writes a slot keeps its
+  /// type (SlotDefinition) and counts the write. Ticking thread.
+  Blackboard& blackboard() { return blackboard_; }
+
+  /// The node of the user at that place, made by its Registry::Entry.
+  UserNode& user_node(NodeIndex node) { return *UserOf(node).node; }
 
   const std::shared_ptr<Inbox>& inbox() { return inbox_; }
   WakeUp& wake_up() { return inbox_->wake_up(); }

@@ -106,12 +106,19 @@ class Program {
   const SourceText& TextOf(NodeIndex node) const;
 };
 
+/// What "@key" names in a tree.
+enum class OuterKeys : std::uint8_t {
+  kOfMainTree,  ///< the key of the main tree
+  kApart        ///< a slot "@key" of its own, for who has a blackboard outside of the main tree
+};
+
 /// Translates a tree of a project, which the program does not keep. All problems go to
 /// `diagnostics`; returns null if one of them is an error. `tree_id` empty: the main tree of the
 /// project.
 std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
                                        std::shared_ptr<const Registry> registry,
-                                       Diagnostics& diagnostics, const std::string& tree_id = {});
+                                       Diagnostics& diagnostics, const std::string& tree_id = {},
+                                       OuterKeys outer = OuterKeys::kOfMainTree);
 
 /// Reads and compiles a file in one go.
 std::shared_ptr<const Program> CompileFile(const std::string& path,

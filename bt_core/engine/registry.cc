@@ -55,6 +55,27 @@ void Registry::AddManifest(Manifest manifest, ChildCount children,
   entries_.emplace(id, std::move(entry));
 }
 
+void Registry::AddBuilder(Manifest manifest, ChildCount children, Builder build,
+                          TickFunction tick) {
+  Entry entry;
+  entry.type = children.max == 0 ? NodeType::kLeaf : NodeType::kUser;
+  entry.children = children;
+  entry.manifest = std::move(manifest);
+  entry.manifest.ports.clear();
+  entry.build = std::move(build);
+  entry.tick = tick;
+  Add(std::move(entry));
+}
+
+void Registry::AddAlias(const std::string& id, const std::string& known) {
+  const Entry* const entry = Find(known);
+  if (!entry) throw std::invalid_argument("no node type \"" + known + "\"");
+  if (Find(id)) throw std::invalid_argument("node ID \"" + id + "\" is already registered");
+  Entry alias = *entry;
+  alias.manifest.id = id;
+  entries_.emplace(id, std::move(alias));
+}
+
 void Registry::Add(Entry entry) {
   const std::string id = entry.manifest.id;
   if (id.empty() || !std::isalpha(static_cast<unsigned char>(id.front()))) {

@@ -83,6 +83,16 @@ class Registry {
     AddLambda<LambdaAction<Function>>(id, ports, count, description, std::move(run));
   }
 
+  /// Adds a node type whose nodes a function makes, for front ends that have classes of their own;
+  /// the ports of `manifest` are those of the node that it makes. `tick`: as in Entry. A control
+  /// node or decorator, one with children, is a UserControl. Throws as Register does.
+  void AddBuilder(Manifest manifest, ChildCount children, Builder build,
+                  TickFunction tick = &TickVirtually);
+
+  /// Adds a second ID for a node type. Throws std::invalid_argument if there is no such type, or
+  /// the ID is taken.
+  void AddAlias(const std::string& id, const std::string& known);
+
   /// Adds a node type without class: trees with it can be checked, but not run. `types` keeps the
   /// types of its ports. Without effect if the ID is taken.
   void AddManifest(Manifest manifest, ChildCount children, std::shared_ptr<const void> types);
@@ -119,6 +129,8 @@ class Registry {
   /// Makes a name stand for a number in every script. Throws std::invalid_argument if it stands for
   /// another number already.
   void AddScriptConstant(const std::string& name, std::int64_t value);
+  /// ScriptConstants::are_real.
+  void MakeScriptConstantsReal() { script_constants_.are_real = true; }
 
   /// Names that stand for numbers in every script: those above and the enumerators of the types
   /// that ports of registered nodes have. A name that two enums give different numbers is none of

@@ -133,7 +133,8 @@ class Checker {
               "give the key another name");
     } else {
       node.op = Operator::kLiteral;
-      node.value = Operand::Integer(constant->second);
+      node.value = constants_.are_real ? Operand::Double(static_cast<double>(constant->second))
+                                       : Operand::Integer(constant->second);
       node.family = Family::kNumber;
     }
   }
@@ -216,6 +217,7 @@ class Checker {
   void CheckAssignment(Node& node) {
     const Node& key = OperandAt(node, 0);
     const Node& value = OperandAt(node, 1);
+    if (node.op == Operator::kAssign && names_.IsDeclared(key.slot)) node.op = Operator::kCreate;
     const bool may_convert = key.family == Family::kUnknown && value.family != Family::kText;
     node.family = may_convert ? value.family : key.family;  // a text may be read as a number
     if (node.op != Operator::kCreate && node.op != Operator::kAssign) {

@@ -26,7 +26,11 @@
 namespace coppice {
 
 /// A name in scripts that stands for a number, such as the enumerators of a registered enum.
-using ScriptConstants = std::map<std::string, std::int64_t, std::less<>>;
+struct ScriptConstants : std::map<std::string, std::int64_t, std::less<>> {
+  using Map = std::map<std::string, std::int64_t, std::less<>>;
+  using Map::Map;
+  bool are_real = false;  ///< the numbers are of type double, as in BehaviorTree.CPP
+};
 
 /// Adds the names of an enum. Returns the first that stands for another number already, if any.
 std::optional<std::string> AddEnumerators(const EnumeratorList& list, ScriptConstants& constants);
@@ -39,6 +43,8 @@ class ScriptNames {
   virtual SlotIndex Slot(std::string_view name) = 0;
   /// The type that ports give to a slot; null if no port does, then it takes values of any type.
   virtual const Type* TypeOf(SlotIndex slot) const = 0;
+  /// True if `=` may give the slot its first value, as `:=` may.
+  virtual bool IsDeclared(SlotIndex) const { return false; }
   /// True if a port or another script has this key already. Asked for constants: a name that is
   /// both is a problem.
   virtual bool IsKey(std::string_view name) const = 0;

@@ -55,6 +55,9 @@ bool StoreReal(const Operand& operand, Value& value) {
 }
 
 bool StoreEnumerator(const Operand& operand, const Type& type, Value& value) {
+  if (type.enumerators->count == 0) {  // of which only the numbers are known
+    return value.Parse(type, std::to_string(ToInteger(operand)));
+  }
   const Enumerator* const found = FindEnumerator(*type.enumerators, ToInteger(operand));
   return found && value.Parse(type, found->name);
 }

@@ -41,7 +41,9 @@ TreeCompiler::TreeCompiler(std::shared_ptr<const Project> project,
       lookup_(*project_, *program_->registry, tolerance, problems),
       subtrees_(*project_, *program_, keys_, types_, tolerance, problems) {}
 
-std::shared_ptr<Program> TreeCompiler::Run(const std::string& tree_id, const TreeDefinition& tree) {
+std::shared_ptr<Program> TreeCompiler::Run(const std::string& tree_id, const TreeDefinition& tree,
+                                           OuterKeys outer) {
+  if (outer == OuterKeys::kApart) keys_.KeepOuterKeys();
   subtrees_.OpenMain(tree_id, tree);
   // More than one root is an error of the project; what is wrong in them is said nevertheless.
   const Document& document = project_->documents()[tree.document];

@@ -32,7 +32,8 @@ class TreeCompiler {
                Tolerance tolerance, Problems& problems, std::vector<SourceText> texts = {});
 
   /// Translates one tree, once. The result is good for a run only if no errors were reported.
-  std::shared_ptr<Program> Run(const std::string& tree_id, const TreeDefinition& tree);
+  std::shared_ptr<Program> Run(const std::string& tree_id, const TreeDefinition& tree,
+                               OuterKeys outer = OuterKeys::kOfMainTree);
 
  private:
   // A node whose children are being added.

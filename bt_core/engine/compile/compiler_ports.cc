@@ -27,7 +27,8 @@ bool IsScript(const PortDeclaration& port) { return port.type == &TypeOf<ScriptC
 // A port that is about a key and not about its value takes the plain name, too, as in
 // BehaviorTree.CPP: output_key="x" is output_key="{x}".
 bool IsAboutKey(const PortDeclaration& port) {
-  return !port.type && (port.direction == PortDirection::kOutput || port.name == "entry");
+  return !port.type && !port.converts &&
+         (port.direction == PortDirection::kOutput || port.name == "entry");
 }
 
 ScriptUse UseOf(NodeType type) {
@@ -64,7 +65,7 @@ void PortBinder::BindCopies(const Registry::Entry& entry, const Site& site,
   SlotIndex to = kNoSlot;
   for (std::size_t k = 0; k < entry.declarations.size(); ++k) {
     const PortDeclaration& port = entry.declarations[k];
-    if (port.type || port.direction == PortDirection::kMailbox) continue;
+    if (port.type || port.converts || port.direction == PortDirection::kMailbox) continue;
     (port.direction == PortDirection::kInput ? from : to) = ports[k].slot;
   }
   if (from != kNoSlot && to != kNoSlot) {
@@ -125,13 +126,20 @@ ScriptIndex PortBinder::BindScript(const Given& given) {
 
 SlotIndex PortBinder::BindKey(const Given& given, std::string_view key) {
   const SlotIndex slot = keys_.Resolve(key, given.site.scope);
-  types_.Set(slot, given.entry.manifest.id, given.port, {&given.site.document, given.offset},
-             IsOnlyAModel(given.entry));
+  if (given.port.converts) {
+    types_.Declare(slot);
+  } else {
+    types_.Set(slot, given.entry.manifest.id, given.port, {&given.site.document, given.offset},
+               IsOnlyAModel(given.entry));
+  }
   return slot;
 }
 
 SlotIndex PortBinder::BindLiteral(const Given& given) {
   const PortDeclaration& port = given.port;
+  if (port.converts) {
+    return keys_.AddSlot("", given.site.scope, nullptr, Value(std::string(given.text)));
+  }
   if (port.direction == PortDirection::kOutput) return ReportNoKey(given);
   if (port.direction == PortDirection::kInOut) {
     problems_.Warning(given.site.document, given.offset, LostIn(given.port, given.text),

@@ -21,6 +21,7 @@ class NamesInScope : public ScriptNames {
     const Type* const type = types_.Of(slot);
     return type && HasOnlyAName(*type) ? nullptr : type;
   }
+  bool IsDeclared(SlotIndex slot) const override { return types_.IsDeclared(slot); }
   bool IsKey(std::string_view name) const override { return keys_.Has(name, scope_); }
 
  private:

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "bt_core/data/blackboard.h"
@@ -37,6 +38,10 @@ class SlotTypes {
   /// nothing. `may_convert`: an input of another type that reads a text is a warning only.
   void Set(SlotIndex slot, std::string_view owner, const PortDeclaration& port, DocumentPlace place,
            bool may_convert = false);
+
+  /// A port of a node that converts names the slot: it needs no value to be assigned to.
+  void Declare(SlotIndex slot) { declared_.insert(slot); }
+  bool IsDeclared(SlotIndex slot) const { return declared_.count(slot) > 0; }
 
   /// The type that a model of a SubTree names for a slot. It counts if no port gives it one, and is
   /// a warning if a port gives it another one. Numbers of all sorts are the same to a model.
@@ -84,6 +89,7 @@ class SlotTypes {
   Layout& layout_;
   Problems& problems_;
   std::unordered_map<SlotIndex, FirstUse> first_use_;  // what gave a slot its type; for messages
+  std::unordered_set<SlotIndex> declared_;
   std::vector<Suggestion> suggestions_;
   std::vector<Copy> copies_;
   std::vector<Literal> literals_;

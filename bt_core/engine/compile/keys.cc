@@ -26,7 +26,7 @@ ScopeIndex KeyTable::Home(std::string_view key, ScopeIndex scope) const {
 
 SlotIndex KeyTable::Resolve(std::string_view key, ScopeIndex scope) {
   if (key.front() == '@') {
-    key.remove_prefix(1);
+    if (!keeps_outer_keys_) key.remove_prefix(1);
     scope = kMainScope;
   }
   const auto found = scopes_[scope].keys.find(key);

@@ -21,6 +21,9 @@ class KeyTable {
   /// Slots go to the layout. The texts given to the functions below must outlive the table.
   explicit KeyTable(Layout& layout) : layout_(layout) {}
 
+  /// "@key" is not a key of the main tree but one of its own, named so: see OuterKeys.
+  void KeepOuterKeys() { keeps_outer_keys_ = true; }
+
   /// Scope 0 is that of the main tree. With `autoremap` it has the keys of its parent, but for
   /// those that begin with an underscore.
   ScopeIndex AddScope(ScopeIndex parent, bool autoremap);
@@ -52,6 +55,7 @@ class KeyTable {
 
   Layout& layout_;
   std::vector<Scope> scopes_;
+  bool keeps_outer_keys_ = false;
   std::deque<std::string> names_;  // what ResolveCopy has kept
 };
 

@@ -32,6 +32,19 @@ TEST(Executor, StatusesAreVisibleAfterATick) {
             (std::vector<Status>{kRunning, kSuccess, kRunning, Status::kIdle}));
 }
 
+TEST(Executor, TheStatusOfOneNodeIsThatAmongAll) {
+  Stage stage(Main(R"(<Sequence><Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"
+                   R"(<Fallback><Leaf name="c"/><Leaf name="d"/></Fallback></Sequence>)"),
+              WithResults({{"c", {kRunning}}}));
+  for (int ticks = 0; ticks < 2; ++ticks) {
+    const std::vector<Status> all = stage.executor->statuses();
+    for (NodeIndex node{0}; node < all.size(); ++node) {
+      EXPECT_EQ(stage.executor->StatusOf(node), all[node]) << node;
+    }
+    stage.executor->Tick();
+  }
+}
+
 TEST(Executor, SkippedIsVisibleToo) {
   Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"),
               WithResults({{"a", {Status::kSkipped}}, {"b", {kRunning}}}));

@@ -153,5 +153,33 @@ TEST(Registry, ListsIdsInAlphabeticalOrder) {
   EXPECT_EQ(Registry().Find("sequence"), nullptr) << "case matters";
 }
 
+TEST(Registry, ABuilderAddsATypeWithThePortsOfItsNodes) {
+  Registry registry;
+  registry.AddBuilder({"Vote", NodeCategory::kAction, "Votes.", {}}, {0, 0},
+                      [] { return std::make_unique<Voter>(); });
+  const Registry::Entry& entry = *registry.Find("Vote");
+  EXPECT_EQ(entry.type, NodeType::kLeaf);
+  ASSERT_EQ(entry.manifest.ports.size(), 1U);
+  EXPECT_EQ(entry.manifest.ports[0].name, "value");
+  EXPECT_EQ(entry.manifest.description, "Votes.");
+}
+
+TEST(Registry, AnAliasIsTheSameTypeUnderAnotherName) {
+  Registry registry;
+  registry.AddAlias("Again", "Repeat");
+  EXPECT_EQ(registry.Find("Again")->type, NodeType::kRepeat);
+  EXPECT_EQ(registry.Find("Again")->manifest.id, "Again");
+}
+
+TEST(Registry, AnAliasOfNothingIsRefused) {
+  Registry registry;
+  EXPECT_THROW(registry.AddAlias("Again", "Repaet"), std::invalid_argument);
+}
+
+TEST(Registry, AnAliasMustHaveAFreeName) {
+  Registry registry;
+  EXPECT_THROW(registry.AddAlias("Sequence", "Repeat"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace coppice

@@ -192,6 +192,14 @@ TEST(Script, ANameIsAConstantOrAKeyButNotBoth) {
   EXPECT_EQ(problems[0].offset, 9U);
 }
 
+TEST(Script, ConstantsAreRealNumbersIfTheyAreToBe) {
+  ScriptBench bench;
+  bench.constants() = {{"ANSWER", 42}};
+  bench.constants().are_real = true;
+  bench.Run("answer := ANSWER");
+  EXPECT_EQ(bench.Show("answer"), "double 42");
+}
+
 TEST(Script, TheEnumeratorsOfAnEnumBecomeConstants) {
   ScriptConstants constants = {{"RUNNING", 1}};
   EXPECT_EQ(AddEnumerators(EnumeratorsOf<Status>(), constants), std::nullopt);

@@ -165,5 +165,55 @@ TEST(Ports, ParallelSaysWhenAThresholdIsTooHigh) {
   EXPECT_EQ(sink.ticks[0].messages[0].text, "asks for 3 of 2 children");
 }
 
+class Converter : public Leaf {
+ public:
+  class AnyPort : public PortBase {
+   public:
+    explicit AnyPort(std::string name) : PortBase(Declaration(std::move(name))) {}
+
+   private:
+    static PortDeclaration Declaration(std::string name) {
+      PortDeclaration declaration;
+      declaration.name = std::move(name);
+      declaration.required = false;
+      declaration.converts = true;
+      return declaration;
+    }
+  };
+  AnyPort first{"first"};
+  AnyPort second{"second"};
+  Status Tick(bool) override { return Status::kSuccess; }
+};
+
+std::shared_ptr<const Registry> RegistryWithConverter() {
+  auto registry = std::make_shared<Registry>(*TestRegistry());
+  registry->AddBuilder({"Convert", NodeCategory::kAction, "", {}}, {0, 0},
+                       [] { return std::make_unique<Converter>(); });
+  return registry;
+}
+
+TEST(Ports, ANodeThatConvertsSharesKeysOfAnyType) {
+  Diagnostics diagnostics;
+  const auto program = CompileText(
+      Main(R"(<Sequence><Convert first="{d}" second="{t}"/>)"
+           R"(<Drive goal="1" total="{t}" distance="{d}" tries="{n}"/><Convert first="{n}"/>)"
+           R"(</Sequence>)"),
+      diagnostics, RegistryWithConverter());
+  EXPECT_EQ(diagnostics.ToString(), "");
+  ASSERT_TRUE(program);
+  const SlotIndex tries = program->layout.Find(kMainScope, "n");
+  EXPECT_EQ(program->layout.slots[tries].type, &TypeOf<int>());
+}
+
+TEST(Ports, ALiteralOfANodeThatConvertsStaysAText) {
+  Diagnostics diagnostics;
+  const auto program =
+      CompileText(Main(R"(<Convert first="007"/>)"), diagnostics, RegistryWithConverter());
+  ASSERT_TRUE(program);
+  const Value& literal = program->layout.slots[program->ports[0].slot].initial;
+  ASSERT_TRUE(literal.Is<std::string>());
+  EXPECT_EQ(literal.Get<std::string>(), "007");
+}
+
 }  // namespace
 }  // namespace coppice

@@ -43,6 +43,14 @@ TEST_F(KeyTableTest, AtSignIsTheMainTreeFromEverywhere) {
   EXPECT_EQ(keys.Resolve("@k", main), keys.Resolve("k", main));
 }
 
+TEST_F(KeyTableTest, OuterKeysAreApartIfTheyAreKept) {
+  keys.KeepOuterKeys();
+  const ScopeIndex inner = keys.AddScope(main, false);
+  EXPECT_EQ(keys.Resolve("@k", inner), keys.Resolve("@k", main));
+  EXPECT_NE(keys.Resolve("@k", main), keys.Resolve("k", main));
+  EXPECT_EQ(layout.slots[keys.Resolve("@k", inner)].key, "@k");
+}
+
 TEST_F(KeyTableTest, AutoremapEndsAtAKeyThatIsRemapped) {
   const ScopeIndex outer = keys.AddScope(main, true);
   const ScopeIndex inner = keys.AddScope(outer, true);
