@@ -24,6 +24,22 @@ install(TARGETS coppice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
         DESTINATION ${COPPICE_PACKAGE_DIR} COMPONENT development)
 
+# The interface of BehaviorTree.CPP, under its names: who has both of them says which by its prefix.
+install(TARGETS behaviortree_cpp EXPORT behaviortree_cpp
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT btcpp OPTIONAL)
+install(EXPORT behaviortree_cpp NAMESPACE BT:: FILE behaviortree_cpp-targets.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/behaviortree_cpp COMPONENT btcpp)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/behaviortree_cpp-config-version.cmake
+                                 VERSION 4.10.0 COMPATIBILITY SameMajorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/behaviortree_cpp_v3-config-version.cmake
+                                 VERSION 3.8.7 COMPATIBILITY SameMajorVersion)
+foreach(package behaviortree_cpp behaviortree_cpp_v3)
+  install(FILES cmake/${package}-config.cmake
+                ${PROJECT_BINARY_DIR}/${package}-config-version.cmake
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/${package} COMPONENT btcpp)
+endforeach()
+install(DIRECTORY bt_core/compat/include/ DESTINATION include/coppice/btcpp COMPONENT btcpp)
+
 # Node types of other programs, for other tools; ours have them built in.
 install(DIRECTORY bt_core/engine/models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/models
         FILES_MATCHING PATTERN "*.xml")
@@ -52,6 +68,7 @@ function(coppice_install_papers component package)
 endfunction()
 coppice_install_papers(engine coppice)
 coppice_install_papers(development libcoppice-dev)
+coppice_install_papers(btcpp coppice-btcpp-compat)
 if(TARGET coppice-edit)
   coppice_install_papers(editor coppice-editor)
 endif()
@@ -80,7 +97,7 @@ if(COPPICE_WEB)
           FILES_MATCHING PATTERN "index.*")
 endif()
 
-set(other_headers PATTERN cli EXCLUDE)
+set(other_headers PATTERN cli EXCLUDE PATTERN compat EXCLUDE)
 if(NOT COPPICE_LIVE)
   list(APPEND other_headers PATTERN live EXCLUDE)
 endif()

@@ -1,6 +1,7 @@
 # `./dev package`, or `cpack` in a build folder: Debian packages, so that nobody has to compile.
 #   coppice         the command line, its manual pages and completion, the models of other programs
 #   libcoppice-dev  libraries and headers, and what find_package(coppice) needs
+#   coppice-btcpp-compat  BehaviorTree.CPP's headers, library and CMake package, by Coppice
 #   coppice-editor  the editor, `coppice diff` and `coppice export`, the example; its icon, and that
 #                   it opens records and trees
 #   coppice-web     the editor as a page, for `coppice run --web` (with -DCOPPICE_WEB=ON)
@@ -28,6 +29,13 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers to build robo
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libtinyxml2-dev, libzstd-dev, libsodium-dev, libboost-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "coppice (= ${PROJECT_VERSION})")
+
+list(APPEND CPACK_COMPONENTS_ALL btcpp)
+set(CPACK_DEBIAN_BTCPP_PACKAGE_NAME coppice-btcpp-compat)
+set(CPACK_DEBIAN_BTCPP_PACKAGE_SECTION libdevel)
+set(CPACK_COMPONENT_BTCPP_DESCRIPTION "BehaviorTree.CPP's interface for C++, on Coppice's engine.")
+set(CPACK_DEBIAN_BTCPP_PACKAGE_DEPENDS "libcoppice-dev (= ${PROJECT_VERSION}), nlohmann-json3-dev")
+set(CPACK_DEBIAN_BTCPP_PACKAGE_CONFLICTS "libbehaviortree-cpp-dev, ros-noetic-behaviortree-cpp")
 
 if(TARGET coppice-edit)
   list(APPEND CPACK_COMPONENTS_ALL editor)

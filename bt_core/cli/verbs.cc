@@ -11,10 +11,19 @@ std::string Verb::name() const {
 
 const std::vector<Verb>& Verbs() {
   static const std::vector<Verb> verbs = {
-      {CatCommand, RunCat},         {CheckCommand, RunCheck},   {CompletionCommand, RunCompletion},
-      {ConvertCommand, RunConvert}, {LiveVerbCommand, RunLive}, {NodesCommand, RunNodes},
-      {RecordCommand, RunRecord},   {ReplayCommand, RunReplay}, {RunCommand, RunTree},
-      {StatsCommand, RunStats},     {TestCommand, RunTest},     {TraceCommand, RunTrace},
+      {CatCommand, RunCat},
+      {CheckCommand, RunCheck},
+      {CompletionCommand, RunCompletion},
+      {ConvertCommand, RunConvert},
+      {LiveVerbCommand, RunLive},
+      {MigrateCommand, RunMigrate},
+      {NodesCommand, RunNodes},
+      {RecordCommand, RunRecord},
+      {ReplayCommand, RunReplay},
+      {RunCommand, RunTree},
+      {StatsCommand, RunStats},
+      {TestCommand, RunTest},
+      {TraceCommand, RunTrace},
       {UpgradeCommand, RunUpgrade},
   };
   return verbs;

@@ -56,6 +56,10 @@ int RunRecord(const Arguments& arguments);
 const Command& NodesCommand();
 int RunNodes(const Arguments& arguments);
 
+/// `coppice migrate DIR`: what becomes of code that is written for BehaviorTree.CPP.
+const Command& MigrateCommand();
+int RunMigrate(const Arguments& arguments);
+
 /// `coppice upgrade FILE... [-i | -o OUTPUT]`: makes trees of format 3 trees of format 4.
 const Command& UpgradeCommand();
 int RunUpgrade(const Arguments& arguments);

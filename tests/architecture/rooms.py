@@ -43,6 +43,8 @@ FLOORS = {
          "bt_core/record": "the recorder and the reader of its files ([format](record_format.md))"},
         {"bt_core/analysis": "what can be asked of a record: why, the same run again, statistics, "
                              "other formats ([replay](replay.md))"},
+        {"bt_core/compat": "the interface of BehaviorTree.CPP on this engine "
+                           "([migration](migration.md))"},
     ],
     "bt_nodes": [
         {"bt_nodes/basics": "`Wait`, `IsTrue`; the base of leaves that call a capability",
@@ -122,7 +124,7 @@ FLOORS = {
 
 # On the roof of its wing: wires things and runs; nobody includes it.
 PROGRAMS = {
-    "bt_core/cli": "`coppice cat, check, convert, live, nodes, record, replay, run, stats, test, "
+    "bt_core/cli": "`coppice cat, check, convert, live, migrate, nodes, record, replay, run, stats, test, "
                    "trace, upgrade`; `diff` and `export` are programs of the editor",
     "robot_app/app": "`coppice-robot` (runs the trees) and `coppice-demo`",
     "editor/app": "`coppice-edit`, `coppice-diff`, `coppice-export`",
@@ -148,7 +150,7 @@ FOREIGN = {  # name: (pattern, where at all, where in headers)
     "ROS": (ROS, ("robot_app",), ("robot_app",)),
     "OpenCV and PCL": (r"(opencv2|pcl\w*|cv_bridge)/", ("robot_app",), ("robot_app",)),
     "Dear ImGui and GLFW": (r"(imgui|GLFW/|backends/imgui)", ("editor",), ("editor",)),
-    "JSON": (r"nlohmann/json\.hpp", ("bt_core", "editor/live", "robot_app"), ()),
+    "JSON": (r"nlohmann/json\.hpp", ("bt_core", "editor/live", "robot_app"), ("bt_core/compat",)),
     "ZeroMQ": (r"zmq\.", (), ()),
     "Boost": (r"boost/", ("bt_core/live", "robot_app"), (
         "bt_core/live/discovery", "bt_core/live/web", "robot_app")),

@@ -6,7 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(cpack --config ${BUILD}/CPackConfig.cmake -B ${WORK}/packages)
-set(expected coppice libcoppice-dev)
+set(expected coppice libcoppice-dev coppice-btcpp-compat)
 if(EDITOR)
   list(APPEND expected coppice-editor)
 endif()

@@ -1,0 +1,10 @@
+// Empties a key. The built-in node; what it does is in docs/semantics.md.
+#pragma once
+
+#include "behaviortree_cpp/internal/built_in.h"
+
+namespace BT {
+
+COPPICE_COMPAT_BUILT_IN(UnsetBlackboardNode, internal::BuiltInAction, "UnsetBlackboard");
+
+}  // namespace BT

@@ -1,0 +1,4 @@
+// nlohmann::json, as Debian packs it.
+#pragma once
+
+#include <nlohmann/json.hpp>

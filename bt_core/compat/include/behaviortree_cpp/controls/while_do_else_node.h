@@ -1,0 +1,10 @@
+// A branch that is chosen in every tick. The built-in node; what it does is in docs/semantics.md.
+#pragma once
+
+#include "behaviortree_cpp/internal/built_in.h"
+
+namespace BT {
+
+COPPICE_COMPAT_BUILT_IN(WhileDoElseNode, internal::BuiltIn<ControlNode>, "WhileDoElse");
+
+}  // namespace BT

@@ -1,0 +1,10 @@
+// Again, while the child fails. The built-in node; what it does is in docs/semantics.md.
+#pragma once
+
+#include "behaviortree_cpp/internal/built_in.h"
+
+namespace BT {
+
+COPPICE_COMPAT_BUILT_IN(RetryNode, internal::BuiltIn<DecoratorNode>, "RetryUntilSuccessful");
+
+}  // namespace BT

@@ -1,0 +1,5 @@
+// Version 3 of behaviortree_cpp/actions/always_success_node.h.
+#pragma once
+
+#include "behaviortree_cpp/actions/always_success_node.h"
+#include "behaviortree_cpp_v3/old_names.h"

@@ -1,0 +1,5 @@
+// Version 3 of behaviortree_cpp/loggers/bt_cout_logger.h.
+#pragma once
+
+#include "behaviortree_cpp/loggers/bt_cout_logger.h"
+#include "behaviortree_cpp_v3/old_names.h"
