@@ -89,7 +89,9 @@ FLOORS = {
          "robot_app/expression": "how it looks: face, lights, ears and arms, as data and as "
                                  "simulated devices ([service](service.md#how-it-looks))",
          "robot_app/questionnaire": "what people think of it, asked and counted "
-                                    "([service](service.md#asking-people))"},
+                                    "([service](service.md#asking-people))",
+         "robot_app/tablet": "the page of the tablet in its chest "
+                             "([service](service.md#the-tablet))"},
         {"robot_app/speech": "mouth and ear: text to speech, speech to text, the action `/speak`, "
                              "who is heard and answered ([service](service.md))",
          "robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
@@ -135,6 +137,7 @@ PROGRAMS = {
 ARROWS = {
     ("robot_app/mapping", "robot_app/localization"): "a map is made with the same scan matching",
     ("robot_app/assistance", "robot_app/teleoperation"): "the page drives",
+    ("robot_app/tablet", "robot_app/knowledge"): "what is pressed is answered from it",
 }
 
 # Rooms whose inner folders still include each other in a circle.
