@@ -14,6 +14,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_nodes/register_nodes.h"
+#include "robot_app/app/robot_figures.h"
 #include "robot_app/app/tree_link.h"
 #include "robot_app/app/tree_runner.h"
 #include "robot_app/common/ros_clock.h"
@@ -56,6 +57,10 @@ stopped. The application may be any tree, for example trees/behavior/leave_stati
        CommandOption::Whole("--live-port", "N", 0, 65533,
                             "live socket of the application, the monitor's is at N + 2; else 1667; "
                             "0 = none"),
+       CommandOption::Whole("--metrics-port", "N", 0, 65535,
+                            "serves /metrics for Prometheus there; else 0 = none"),
+       CommandOption::Text("--metrics-address", "ADDRESS",
+                           "of that; else 127.0.0.1. Any other needs COPPICE_METRICS_TOKEN"),
        CommandOption::Whole("--rounds", "N", -1, 1e9, "patrol rounds; else -1 = for ever"),
        CommandOption::Whole("--stops", "N", 0, 1e9, "places per round; else 4"),
        CommandOption::Whole("--seed", "N", 0, UINT32_MAX, "chooses the places; else 1")}};
@@ -75,6 +80,15 @@ adapters::FeedKeys KeysOf(Executor& executor) {
 
 adapters::PoseKeys PoseKeysOf(Executor& executor) {
   return {executor.Writer<leaves::Pose2D>("pose"), executor.Writer<double>("distance_to_station")};
+}
+
+// Without a port there is no page.
+std::optional<metrics::MetricsPageOptions> PageOf(const Options& options) {
+  metrics::MetricsPageOptions page;
+  page.port = static_cast<std::uint16_t>(options.Whole("--metrics-port", 0));
+  page.address = options.Get("--metrics-address", page.address);
+  if (const char* token = std::getenv("COPPICE_METRICS_TOKEN")) page.token = token;
+  return page.port == 0 ? std::nullopt : std::optional(page);
 }
 
 leaves::Pose2D StationOn(const leaves::WaypointMap& map) {
@@ -108,7 +122,8 @@ class Robot {
         visitors_(node, clock_),
         phrases_(PhrasesOf(options)),
         supervisors_(node),
-        recoveries_(node, clock_) {
+        recoveries_(node, clock_),
+        figures_(node, PageOf(options)) {
     const int port = static_cast<int>(options.Whole("--live-port", 1667));
     application_ = MakeRunner(options, "application", port, false);
     monitor_ = MakeRunner(options, "monitor", port > 0 ? port + 2 : 0, true);
@@ -166,6 +181,7 @@ class Robot {
     TreeRunnerOptions runner;
     runner.name = name;
     runner.live_port = port;
+    runner.listener = forever ? figures_.monitor() : figures_.application();
     if (const char* token = std::getenv("COPPICE_LIVE_TOKEN")) runner.live_token = token;
     runner.run.forever = forever;
     if (is_recorded_) runner.record_path = options.Get("--record") + "/" + name + ".coppice";
@@ -198,6 +214,9 @@ class Robot {
       if (!runner->LiveTrouble().empty()) {
         message.status.push_back(Entry("live view", name, runner->LiveTrouble()));
       }
+    }
+    if (!figures_.trouble().empty()) {
+      message.status.push_back(Entry("metrics", "all trees", figures_.trouble()));
     }
     message.header.stamp = ros::Time::now();
     if (!message.status.empty()) diagnostics_.publish(message);
@@ -232,6 +251,7 @@ class Robot {
   adapters::RosProcessManager processes_;
   adapters::RosSupervisors supervisors_;
   adapters::RosRecoveryLog recoveries_;
+  RobotFigures figures_;  // before the trees, which it listens to
   TreeLink link_;
   ros::Publisher status_, heartbeat_, diagnostics_;
   std::unique_ptr<TreeRunner> application_;

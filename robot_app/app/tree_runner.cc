@@ -38,6 +38,7 @@ std::string WhyNot(const std::function<void()>& step) {
 TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
                        TreeRunnerOptions options)
     : options_(std::move(options)), executor_(std::move(program), clock), stream_(executor_) {
+  if (options_.listener) stream_.Add(*options_.listener);
   if (!options_.record_path.empty()) no_record_ = WhyNot([this] { OpenRecord(); });
   if (options_.live_port > 0) no_live_ = WhyNot([this] { OpenSocket(); });
 }
@@ -63,7 +64,10 @@ void TreeRunner::OpenSocket() {
   live_ = std::make_unique<LivePublisher>(stream_, live);
 }
 
-TreeRunner::~TreeRunner() { Stop(); }
+TreeRunner::~TreeRunner() {
+  Stop();
+  if (options_.listener) stream_.Remove(*options_.listener);
+}
 
 void TreeRunner::Start(std::function<void(Status)> on_end) {
   thread_ = std::thread([this, on_end = std::move(on_end)] { RunTree(on_end); });

@@ -27,6 +27,8 @@ struct TreeRunnerOptions {
   int live_port = 0;
   /// For those who may stop and change the tree by the live socket; without it nobody may.
   std::string live_token;
+  /// Gets all events of the tree; must live longer than the runner. Null: none.
+  EventListener* listener = nullptr;
   RunOptions run;
 };
 

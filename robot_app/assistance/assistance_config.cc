@@ -1,10 +1,8 @@
 #include "robot_app/assistance/assistance_config.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <set>
 
-#include "robot_app/assistance/channels/environment_text.h"
 #include "robot_app/common/yaml_fields.h"
 
 namespace coppice::robot::assistance {
@@ -244,11 +242,6 @@ class Loader {
 const HelpRules& AssistanceConfig::RulesOf(const std::string& subject) const {
   const auto found = rules_of_subject.find(subject);
   return found == rules_of_subject.end() ? rules : found->second;
-}
-
-std::optional<std::string> ProcessEnvironment(const std::string& name) {
-  const char* const value = std::getenv(name.c_str());
-  return value ? std::optional<std::string>(value) : std::nullopt;
 }
 
 AssistanceConfig LoadAssistanceConfig(const std::string& path, const Environment& environment,

@@ -8,7 +8,6 @@
 #define COPPICE_ROBOT_APP_ASSISTANCE_ASSISTANCE_CONFIG_H_
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +15,7 @@
 
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/assistance/help_request.h"
+#include "robot_app/common/configuration/environment_text.h"
 
 namespace coppice::robot::assistance {
 
@@ -61,10 +61,6 @@ struct AssistanceConfig {
 
   const HelpRules& RulesOf(const std::string& subject) const;
 };
-
-/// The value of an environment variable, or nothing.
-using Environment = std::function<std::optional<std::string>(const std::string& name)>;
-std::optional<std::string> ProcessEnvironment(const std::string& name);
 
 /// Reads and checks a file. All that is wrong is reported at once; with errors the result is not to
 /// be used.

@@ -91,7 +91,10 @@ FLOORS = {
          "robot_app/questionnaire": "what people think of it, asked and counted "
                                     "([service](service.md#asking-people))",
          "robot_app/tablet": "the page of the tablet in its chest "
-                             "([service](service.md#the-tablet))"},
+                             "([service](service.md#the-tablet))",
+         "robot_app/storage": "messages on their way to a database elsewhere: documents, the spool, "
+                              "the servers ([storage](storage.md))",
+         "robot_app/metrics": "figures of trees and robot for Prometheus ([fleet](fleet.md))"},
         {"robot_app/speech": "mouth and ear: text to speech, speech to text, the action `/speak`, "
                              "who is heard and answered ([service](service.md))",
          "robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "

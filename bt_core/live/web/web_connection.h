@@ -45,6 +45,8 @@ class WebConnection : public PortConnection, public std::enable_shared_from_this
 
   /// request() asks for a WebSocket; who does not take it answers.
   virtual void OnUpgrade() = 0;
+  /// request() is a GET or HEAD: answers with a file of the page.
+  virtual void OnGet();
   /// request() is a POST.
   virtual void OnPost();
 
@@ -66,7 +68,6 @@ class WebConnection : public PortConnection, public std::enable_shared_from_this
  private:
   void ReadRequest();
   void OnRequest();
-  void OnGet();
   template <class Body>
   std::shared_ptr<boost::beast::http::response<Body>> Begin(Status status, const char* type) const;
   template <class Body>

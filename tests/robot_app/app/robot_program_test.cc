@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/bt_core/live/web_caller.h"
 #include "tests/robot_app/processes/ros_graph.h"
 #include "tests/robot_app/processes/shut_down_node.h"
 
@@ -101,6 +102,17 @@ TEST_F(RobotProgramTest, EndsInOrderWhenItIsAsked) {
   Start();
   ASSERT_TRUE(ComesToLife());
   EXPECT_EQ(graph_.Kill(pid_, SIGTERM), 0);
+}
+
+TEST_F(RobotProgramTest, TellsItsFiguresToPrometheus) {
+  const int port = processes::FreePort();
+  Start({"--metrics-port", std::to_string(port)});
+  ASSERT_TRUE(ComesToLife());
+  WebCaller caller(static_cast<std::uint16_t>(port));
+  EXPECT_THAT(caller.Ask("GET /metrics HTTP/1.0\r\n\r\n"), HasSubstr("200 OK"));
+  const std::string figures = caller.Rest();
+  EXPECT_THAT(figures, HasSubstr("coppice_ticks_total{tree=\"application\"}"));
+  EXPECT_THAT(figures, HasSubstr("coppice_ticks_total{tree=\"monitor\"}"));
 }
 
 }  // namespace

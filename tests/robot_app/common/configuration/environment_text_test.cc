@@ -1,8 +1,8 @@
-#include "robot_app/assistance/channels/environment_text.h"
+#include "robot_app/common/configuration/environment_text.h"
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot::assistance {
+namespace coppice::robot {
 namespace {
 
 std::optional<std::string> ValueOf(const std::string& name) {
@@ -34,4 +34,4 @@ TEST(IsVariable, IsTrueForOneVariableAlone) {
 }
 
 }  // namespace
-}  // namespace coppice::robot::assistance
+}  // namespace coppice::robot

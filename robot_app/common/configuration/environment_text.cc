@@ -1,15 +1,20 @@
-#include "robot_app/assistance/channels/environment_text.h"
+#include "robot_app/common/configuration/environment_text.h"
 
-namespace coppice::robot::assistance {
+#include <cstdlib>
+
+namespace coppice::robot {
+
+std::optional<std::string> ProcessEnvironment(const std::string& name) {
+  const char* const value = std::getenv(name.c_str());
+  return value ? std::optional<std::string>(value) : std::nullopt;
+}
 
 bool IsVariable(const std::string& text) {
   return text.size() > 3 && text.compare(0, 2, "${") == 0 && text.find('}') == text.size() - 1 &&
          text.find(":-") == std::string::npos;
 }
 
-Expected<std::string> FillVariables(
-    const std::string& text,
-    const std::function<std::optional<std::string>(const std::string& name)>& value_of) {
+Expected<std::string> FillVariables(const std::string& text, const Environment& environment) {
   std::string filled;
   std::size_t position = 0;
   while (true) {
@@ -20,7 +25,7 @@ Expected<std::string> FillVariables(
     const std::string expression = text.substr(begin + 2, end - begin - 2);
     const std::size_t separator = expression.find(":-");
     const std::string name = expression.substr(0, separator);
-    const std::optional<std::string> value = value_of(name);
+    const std::optional<std::string> value = environment(name);
     if (value && !value->empty()) {
       filled += *value;
     } else if (separator != std::string::npos) {
@@ -32,4 +37,4 @@ Expected<std::string> FillVariables(
   }
 }
 
-}  // namespace coppice::robot::assistance
+}  // namespace coppice::robot

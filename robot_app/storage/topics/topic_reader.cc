@@ -1,0 +1,49 @@
+#include "robot_app/storage/topics/topic_reader.h"
+
+#include <utility>
+
+namespace coppice::robot::storage {
+
+TopicReader::TopicReader(TopicConfig config, Intake& intake, FileStore& files)
+    : config_(std::move(config)), intake_(intake), files_(files) {}
+
+// On average no more than the rate, also of messages that come at other moments than they are due.
+// A clock that was set back does not silence a topic.
+bool TopicReader::IsDue(std::int64_t now) {
+  if (config_.rate <= 0) return true;
+  const auto period = static_cast<std::int64_t>(1e9 / config_.rate);
+  if (now < due_ && due_ - now <= period) return false;
+  const bool goes_on = now >= due_ && now - due_ < period;
+  due_ = (goes_on ? due_ : now) + period;
+  return true;
+}
+
+Outcome TopicReader::Learn(const HeardMessage& message) {
+  if (!type_ || type_->md5 != message.md5 || type_->name != message.type) {
+    type_ = std::make_shared<const MessageType>(
+        MessageType{message.type, message.md5, message.definition});
+    layout_ = ParseDefinition(message.type, message.definition);
+  }
+  return layout_ ? Outcome() : Problem{layout_.problem()};
+}
+
+JsonRules TopicReader::RulesAt(std::int64_t now) {
+  JsonRules rules;
+  rules.longest_array = config_.longest_array;
+  if (config_.keeps_files) {
+    rules.keep = [this, now](std::string_view bytes) { return files_.Keep(bytes, now); };
+  }
+  return rules;
+}
+
+void TopicReader::OnMessage(const HeardMessage& message) {
+  if (!IsDue(message.received)) return;
+  const Outcome known = Learn(message);
+  if (!known) return intake_.Lose(config_.topic, known.problem(), message.received);
+  Expected<std::string> json = MessageToJson(*layout_, message.bytes, RulesAt(message.received));
+  if (!json) return intake_.Lose(config_.topic, json.problem(), message.received);
+  intake_.Put({0, config_.priority, message.received, message.stamp, config_.topic, type_,
+               *std::move(json)});
+}
+
+}  // namespace coppice::robot::storage

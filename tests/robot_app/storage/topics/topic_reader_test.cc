@@ -1,0 +1,77 @@
+#include "robot_app/storage/topics/topic_reader.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace coppice::robot::storage {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kStart = 1764059400 * kSecond;
+
+class TopicReaderTest : public testing::Test {
+ protected:
+  void Read(const TopicConfig& config, const std::vector<std::int64_t>& times,
+            const std::string& definition = "char[] x",
+            const std::string& bytes = std::string("\x01\0\0\0a", 5)) {
+    Intake intake(*spool_, {}, [] {});
+    TopicReader reader(config, intake, files_);
+    for (const std::int64_t time : times) {
+      reader.OnMessage({"a/B", "m" + definition, definition, bytes, time, 7});
+    }
+  }
+
+  const TemporaryFolder folder_;
+  const std::unique_ptr<Spool> spool_ =
+      std::move(Spool::Open(folder_.Path("spool.db"), {})).value();
+  FileStore files_{folder_.Path("files"), 1000};
+};
+
+TEST_F(TopicReaderTest, MakesDocuments) {
+  Read({"/a", 8}, {kStart});
+  const Batch batch = spool_->Next({});
+  ASSERT_EQ(batch.documents.size(), 1u);
+  EXPECT_EQ(batch.documents[0].topic, "/a");
+  EXPECT_EQ(batch.documents[0].priority, 8);
+  EXPECT_EQ(batch.documents[0].received, kStart);
+  EXPECT_EQ(batch.documents[0].stamp, 7);
+  EXPECT_EQ(batch.documents[0].json, R"({"x":"YQ=="})");
+  EXPECT_EQ(batch.documents[0].type->name, "a/B");
+}
+
+TEST_F(TopicReaderTest, TakesNoMoreThanItsRate) {
+  std::vector<std::int64_t> times;
+  for (int i = 0; i < 100; ++i) times.push_back(kStart + i * kSecond / 10);
+  Read({"/a", 5, 2}, times);  // 10 a second, of which 2 are taken
+  EXPECT_EQ(spool_->Look().documents, 20);
+}
+
+TEST_F(TopicReaderTest, GoesOnWhenTheClockIsSetBack) {
+  Read({"/a", 5, 1}, {kStart, kStart - 3600 * kSecond, kStart - 3598 * kSecond});
+  EXPECT_EQ(spool_->Look().documents, 3);
+}
+
+TEST_F(TopicReaderTest, CountsWhatItDoesNotUnderstand) {
+  Read({"/a"}, {kStart}, "nonsense");
+  Read({"/a"}, {kStart}, "int32 x");
+  const Batch batch = spool_->Next({});
+  EXPECT_TRUE(batch.documents.empty());
+  std::vector<std::string> reasons;
+  for (const Loss& loss : batch.losses) reasons.push_back(loss.reason);
+  EXPECT_THAT(reasons, testing::UnorderedElementsAre("a message of a/B has 1 bytes too many",
+                                                     "a/B: line 1: expected a type and a name"));
+}
+
+TEST_F(TopicReaderTest, KeepsWhatIsTooLongInAFile) {
+  TopicConfig config{"/a"};
+  config.longest_array = 0;
+  config.keeps_files = true;
+  Read(config, {kStart});
+  EXPECT_EQ(spool_->Next({}).documents.at(0).json,
+            R"({"x":{"left_out":"uint8","length":1,"file":"2025-11-25/083000.000000-1.bin"}})");
+  EXPECT_EQ(ReadFile(folder_.Path("files/2025-11-25/083000.000000-1.bin")), "a");
+}
+
+}  // namespace
+}  // namespace coppice::robot::storage
