@@ -19,9 +19,9 @@ run(${CMAKE_COMMAND} --build ${WORK}/build)
 expect("SUCCESS after 3 ticks" ${WORK}/build/outside)
 expect("SUCCESS after 3 recorded ticks" ${WORK}/build/outside_recorded ${WORK}/run.coppice)
 expect("it sleeps: 0 differences\nit does not: 1 differences" ${WORK}/build/outside_scenario)
-expect("Robot says: hello\\nSUCCESS"
+expect("Robot says: hello\nSUCCESS"
        ${WORK}/build/outside_btcpp ${WORK}/build/liboutside_btcpp_nodes.so)
-expect("Robot says: hello\\nSUCCESS" ${WORK}/build/outside_btcpp_v3)
+expect("Robot says: hello\nSUCCESS" ${WORK}/build/outside_btcpp_v3)
 if(LIVE)
   expect("SUCCESS after 3 watched ticks" ${WORK}/build/outside_watched)
 endif()

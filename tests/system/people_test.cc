@@ -58,10 +58,9 @@ TEST_F(People, WhoWalksByIsSeenFollowedAndSpokenTo) {
   Latest<std_msgs::String> speech(node, "/speech");
   EXPECT_TRUE(
       Eventually([&] { return people.get() && IsAnybodyWalking(*people.get()); }, kPatience));
-  EXPECT_TRUE(Eventually([&] { return speech.get() != nullptr; }, kPatience));
-  if (speech.get()) {
-    EXPECT_EQ(speech.get()->data, "Can I help you?");
-  }
+  EXPECT_TRUE(Eventually([&] { return speech.get() && speech.get()->data == "Can I help you?"; },
+                         kPatience))
+      << (speech.get() ? speech.get()->data : "it never spoke");
 }
 
 TEST_F(People, ThoseWhomACameraSeesAreSaidToBeSeenByIt) {
