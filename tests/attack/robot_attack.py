@@ -8,6 +8,7 @@ import socket
 import struct
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -63,34 +64,41 @@ def memory_of(process):
 
 
 class Client(unittest.TestCase):
-    def attack(self, begin, pieces):
-        """What the client prints."""
+    def attack(self, begin, pieces, until=None):
+        """What the client prints: until that is among it, or else in the time of an attack."""
         robot = Robot(begin, pieces)
         environment = dict(os.environ)
         environment.pop("COPPICE_LIVE_TOKEN", None)
-        process = subprocess.Popen([PROGRAM, "live", "127.0.0.1:%d" % robot.port], env=environment,
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        try:
-            time.sleep(ATTACK)
-            self.assertIsNone(process.poll(), "it waits for a better robot")
-            self.assertLess(memory_of(process), MEMORY)
-        finally:
-            robot.door.close()
-            process.terminate()
-            printed = process.communicate(timeout=PATIENCE)[0]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "printed")
+            printed = lambda: open(path, errors="replace").read()
+            with open(path, "w") as file:
+                process = subprocess.Popen([PROGRAM, "live", "127.0.0.1:%d" % robot.port],
+                                           env=environment, stdout=file, stderr=file)
+            try:
+                end = time.monotonic() + (PATIENCE if until else ATTACK)
+                while time.monotonic() < end and not (until and until in printed()):
+                    time.sleep(0.05)
+                self.assertIsNone(process.poll(), "it waits for a better robot")
+                self.assertLess(memory_of(process), MEMORY)
+            finally:
+                robot.door.close()
+                process.terminate()
+                process.wait(timeout=PATIENCE)
+            printed = printed()
         self.assertLess(len(printed), 1 << 20)
         self.sent = robot.sent
         return printed
 
     def test_a_message_of_ever_more_parts_is_cut_off(self):
-        self.assertIn("too large", self.attack(b"", frame(1, b"x" * 60_000)))
+        self.assertIn("too large", self.attack(b"", frame(1, b"x" * 60_000), "too large"))
 
     def test_empty_parts_without_end_are_cut_off(self):
-        self.assertIn("too large", self.attack(b"", frame(1, b"") * 10_000))
+        self.assertIn("too large", self.attack(b"", frame(1, b"") * 10_000, "too large"))
 
     def test_a_part_of_exabytes_is_cut_off_when_it_is_announced(self):
         announced = struct.pack(">BQ", 2, 1 << 60)
-        self.assertIn("too large", self.attack(b"", announced + bytes(65536)))
+        self.assertIn("too large", self.attack(b"", announced + bytes(65536), "too large"))
 
     def test_the_largest_part_that_is_possible_takes_what_has_come(self):
         begin = frame(1, b"") + struct.pack(">BQ", 2, ANNOUNCED)
@@ -100,7 +108,8 @@ class Client(unittest.TestCase):
     def test_answers_of_the_largest_kind_are_no_more_than_one(self):
         header = struct.pack("<BcI", 2, b"C", 1) + RUN
         reply = b'{"error":"' + b"x" * (ANNOUNCED - 100) + b'"}'
-        printed = self.attack(b"", frame(1, b"") + frame(1, header) + frame(0, reply))
+        printed = self.attack(b"", frame(1, b"") + frame(1, header) + frame(0, reply),
+                              "too large")
         self.assertIn("too large", printed)
 
     def test_a_refusal_as_long_as_a_message_is_no_more_than_one(self):

@@ -60,7 +60,7 @@ Parameters ParametersOf(Settings& settings) {
       {"cameras", &settings.cameras, "front, rear or both"},
       {"period", &settings.period, 0.05, 10, "between two pictures; wall time [s]"},
       {"depth_period", &settings.depth_period, 0.05, 10,
-       "between two looks at the depth alone while no lidar tells; wall time [s]"},
+       "between looks at depth alone; wall time [s]"},
       {"frame", &settings.frame, "in which places are told; it must not move"},
       {"detectors", &choice.built_in, "some of people, faces and masks"},
       {"cascade", &choice.cascade_file, "for faces; else that of Debian's opencv-data"},
