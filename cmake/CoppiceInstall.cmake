@@ -59,12 +59,21 @@ if(TARGET coppice-edit)
           DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT editor)
 endif()
 
+# coppice_install_made(COMPONENT SCRIPT ARGUMENTS...): what a script of cmake/package makes in the
+# folder of data, which is its first argument, when the component is installed.
+function(coppice_install_made component script)
+  string(REPLACE ";" "\" \"" arguments "${ARGN}")
+  install(CODE "execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/package/${script}
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\" \"${arguments}\"
+    RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR \"${script}: \${result}\")
+  endif()" COMPONENT ${component})
+endfunction()
+
 # Who may copy it, and what has changed.
 function(coppice_install_papers component package)
-  install(CODE "execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/package/papers.sh ${package}
-    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/${package}\"
-    \"${COPPICE_MAINTAINER}\"
-    COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
+  coppice_install_made(${component} papers.sh ${package} ${COPPICE_MAINTAINER})
 endfunction()
 coppice_install_papers(engine coppice)
 coppice_install_papers(development libcoppice-dev)
@@ -77,17 +86,12 @@ if(COPPICE_WEB)
 endif()
 
 # What the programs tell of themselves: pages for `man`, words for the shell.
-function(coppice_install_told component)
-  install(CODE "execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/package/told.sh
-    ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\" ${ARGN}
-    COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
-endfunction()
 find_program(HELP2MAN help2man)  # who only builds does not need it
 mark_as_advanced(HELP2MAN)
 if(HELP2MAN)
-  coppice_install_told(engine coppice)
+  coppice_install_made(engine told.sh ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} coppice)
   if(TARGET coppice-edit)
-    coppice_install_told(editor edit diff export)
+    coppice_install_made(editor told.sh ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} edit diff export)
   endif()
 endif()
 

@@ -73,9 +73,12 @@ class ProjectReader {
  private:
   // Format 3 becomes format 4 here; Location() still names the user's own text.
   Document AsFormat4(Document document) {
-    if (!project_.was_format_3_.back()) return document;
+    project_.was_format_3_.push_back(false);
+    if (document.element(kRootElement).tag != "root") return document;
     const std::size_t told = diagnostics_.all().size();
     const Edit edit = UpgradeToFormat4(document, diagnostics_);
+    if (edit.empty()) return document;
+    project_.was_format_3_.back() = true;
     const bool told_of_format_3 = diagnostics_.all().size() > told;
     Diagnostics known;  // the same warnings once more
     std::optional<Document> upgraded = document.Rewritten(edit, known);
@@ -100,8 +103,6 @@ class ProjectReader {
   void Add(Document document) {
     const auto number = static_cast<std::uint32_t>(project_.documents_.size());
     known_.insert(IdentityOf(document.file()));
-    project_.was_format_3_.push_back(document.element(kRootElement).tag == "root" &&
-                                     IsFormat3(document));
     project_.documents_.push_back(AsFormat4(std::move(document)));
     if (!CheckRoot(number)) return;
     for (ElementIndex i = At(number).element(kRootElement).first_child; i != kNoElement;) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# papers.sh PACKAGE DOC MAINTAINER: what Debian wants to find in the folder DOC of a package: its
+# papers.sh SHARE PACKAGE MAINTAINER: what Debian wants to find of a package below SHARE/doc: its
 # copyright, and its changes, which are those of CHANGELOG.md.
 set -euo pipefail
-package=$1 doc=$2 maintainer=$3
+doc=$1/doc/$2 package=$2 maintainer=$3
 here=$(cd "$(dirname "$0")" && pwd)
 
 # CHANGELOG.md in Debian's form: "## 0.1.0 (2026-11-25)", then items that begin with a dash.

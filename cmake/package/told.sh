@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# told.sh PROGRAMS SHARE NAME...: what the built programs tell of themselves, for an installation
+# told.sh SHARE PROGRAMS NAME...: what the built programs tell of themselves, for an installation
 # whose data lie in SHARE. NAME coppice: pages of `man` for `coppice` and its verbs, and what bash
 # completes; any other: the page of coppice-NAME, if that program is built.
 set -euo pipefail
-programs=$1 man=$2/man/man1 completions=$2/bash-completion/completions
+man=$1/man/man1 completions=$1/bash-completion/completions programs=$2
 shift 2
 here=$(mktemp -d)
 trap 'rm -r "$here"' EXIT

@@ -51,10 +51,10 @@ void NodeLookup::CheckForId(const Site& site) {
   const Attribute* const id = site.document.FindAttribute(site.element, "ID");
   if (!id) return;
   const std::string tag(site.element.tag);
-  const auto report =
-      project_.WasFormat3(site.document_number) ? &Problems::Warning : &Problems::Error;
-  (problems_.*report)(site.document, id->name_offset, "<" + tag + "> has its type as tag, no ID",
-                      "name=" + Quoted(id->value) + " names the node", {});
+  const bool may = project_.WasFormat3(site.document_number);
+  problems_.Add(may ? Severity::kWarning : Severity::kError, site.document, id->name_offset,
+                "<" + tag + "> has its type as tag, no ID",
+                "name=" + Quoted(id->value) + " names the node");
 }
 
 FoundNode NodeLookup::FindType(const Site& site, std::string_view id) {

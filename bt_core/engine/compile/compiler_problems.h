@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "bt_core/base/diagnostic.h"
 #include "bt_core/engine/compile/sibling_files.h"
@@ -20,10 +21,17 @@ class Problems {
   explicit Problems(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   /// `offset` is in bytes from the start of the document's text.
+  void Add(Severity severity, const Document& document, std::uint32_t offset, std::string message,
+           std::string hint = {}, ProblemSubject about = {});
   void Error(const Document& document, std::uint32_t offset, std::string message,
-             std::string hint = {}, ProblemSubject about = {});
+             std::string hint = {}, ProblemSubject about = {}) {
+    Add(Severity::kError, document, offset, std::move(message), std::move(hint), std::move(about));
+  }
   void Warning(const Document& document, std::uint32_t offset, std::string message,
-               std::string hint = {}, ProblemSubject about = {});
+               std::string hint = {}, ProblemSubject about = {}) {
+    Add(Severity::kWarning, document, offset, std::move(message), std::move(hint),
+        std::move(about));
+  }
 
   /// True the first time: for what is said once and not in every place.
   bool IsFirst(const std::string& topic) { return topics_.insert(topic).second; }
@@ -34,8 +42,6 @@ class Problems {
   SiblingFiles& siblings() { return siblings_; }
 
  private:
-  bool IsNew(const Document& document, std::uint32_t offset, const std::string& message);
-
   Diagnostics& diagnostics_;
   std::set<std::tuple<const Document*, std::uint32_t, std::string>> known_;
   std::set<std::string> topics_;

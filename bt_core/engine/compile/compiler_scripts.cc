@@ -69,9 +69,9 @@ void ScriptTable::Report(const Pending& pending, ScriptProblem problem) {
   const std::uint32_t offset =
       pending.attribute ? pending.document->OffsetInValue(*pending.attribute, problem.offset)
                         : pending.offset;
-  const auto report = problem.is_warning ? &Problems::Warning : &Problems::Error;
-  (problems_.*report)(*pending.document, offset, std::move(problem.message),
-                      std::move(problem.hint), {ProblemKind::kInScript, {}});
+  problems_.Add(problem.is_warning ? Severity::kWarning : Severity::kError, *pending.document,
+                offset, std::move(problem.message), std::move(problem.hint),
+                {ProblemKind::kInScript, {}});
 }
 
 }  // namespace coppice

@@ -125,15 +125,11 @@ void SubTreeBinder::ApplyModel(const Site& site, const NodeModel& model, ScopeIn
 // Format 3 does not look at the models of SubTrees.
 void SubTreeBinder::ReportMissingPort(const Site& site, const NodeModel& model,
                                       const PortModel& port) {
-  const std::string message =
-      "SubTree " + Quoted(model.id) + " needs its port " + Quoted(port.name);
-  const ProblemSubject about{ProblemKind::kMissingPort, port.name};
-  if (project_.WasFormat3(site.document_number)) {
-    problems_.Warning(site.document, site.element.offset, message + " in format 4",
-                      port.description, about);
-  } else {
-    problems_.Error(site.document, site.element.offset, message, port.description, about);
-  }
+  const bool may = project_.WasFormat3(site.document_number);
+  problems_.Add(may ? Severity::kWarning : Severity::kError, site.document, site.element.offset,
+                "SubTree " + Quoted(model.id) + " needs its port " + Quoted(port.name) +
+                    (may ? " in format 4" : ""),
+                port.description, {ProblemKind::kMissingPort, port.name});
 }
 
 void SubTreeBinder::CheckNames(const Site& site, const NodeModel& model) {

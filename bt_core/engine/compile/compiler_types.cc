@@ -38,12 +38,10 @@ void SlotTypes::Set(SlotIndex index, std::string_view owner, const PortDeclarati
                           " is " + port.type->name;
     const bool reads_text =
         slot.type == &TypeOf<std::string>() && port.direction == PortDirection::kInput;
-    if (may_convert && reads_text) {
-      problems_.Warning(*place.document, place.offset, std::move(message),
-                        "BehaviorTree.CPP converts the text whenever it is read");
-    } else {
-      problems_.Error(*place.document, place.offset, std::move(message));
-    }
+    const bool converts = may_convert && reads_text;
+    problems_.Add(converts ? Severity::kWarning : Severity::kError, *place.document, place.offset,
+                  std::move(message),
+                  converts ? "BehaviorTree.CPP converts the text whenever it is read" : "");
   }
 }
 

@@ -102,12 +102,10 @@ const Type* FindBasicType(std::string_view name) {
 std::string PlainTypeName(std::string_view name) {
   std::string plain(name);
   ReplaceAll(plain, "std::__cxx11::", "std::");
-  ReplaceAll(plain, "std::basic_string<char, std::char_traits<char>, std::allocator<char> >",
-             "std::string");
+  ReplaceAll(plain, " >", ">");
   ReplaceAll(plain, "std::basic_string<char, std::char_traits<char>, std::allocator<char>>",
              "std::string");
   RemoveAllocators(plain);
-  while (plain.find(" >") != plain.npos) ReplaceAll(plain, " >", ">");
   if (plain.substr(0, 5) == "std::" && FindBasicType(plain.substr(5))) plain.erase(0, 5);
   return plain;
 }
