@@ -175,8 +175,9 @@ class CameraNode {
   Outcome Look(Eye& eye) {
     Expected<RgbdMoment> moment = eye.topics.Take();
     if (!moment) return Problem{moment.problem()};
-    if (IsCovered(moment->colour))
+    if (IsCovered(moment->colour, moment->depth)) {
       return Problem{"the picture shows nothing: is the lens covered?"};
+    }
     auto ranges = RangesOf(*moment);
     if (!ranges) return Problem{ranges.problem()};
     Outcome cloud = AddLidar(moment->header.stamp, *ranges);

@@ -8,9 +8,10 @@
 namespace coppice::robot::perception {
 namespace {
 
-constexpr double kWidth = 0.5;      // of the box around a person who was found in depth [m]
-constexpr double kLeastDetail = 8;  // standard deviation of the brightness, of 255
-constexpr int kStep = 16;           // looked at is every so-manieth pixel
+constexpr double kWidth = 0.5;        // of the box around a person who was found in depth [m]
+constexpr double kLeastDetail = 8;    // standard deviation of the brightness, of 255
+constexpr double kLeastDepth = 0.05;  // share of the pixels that have a distance
+constexpr int kStep = 16;             // looked at is every so-manieth pixel
 
 FinderOptions OptionsOf(double height) {
   FinderOptions options;
@@ -43,6 +44,35 @@ PlacedSighting InFrame(const SeenPerson& person, const Ranges& ranges) {
   return placed;
 }
 
+bool HasDetail(const Picture& picture) {
+  double sum = 0, squares = 0;
+  int count = 0;
+  for (int row = 0; row < picture.height; row += kStep) {
+    for (int column = 0; column < picture.width; column += kStep) {
+      const Colour colour = picture.at(column, row);
+      const double bright = (colour[0] + colour[1] + colour[2]) / 3.0;
+      sum += bright;
+      squares += bright * bright;
+      ++count;
+    }
+  }
+  if (count == 0) return false;
+  const double mean = sum / count;
+  return squares / count - mean * mean >= kLeastDetail * kLeastDetail;
+}
+
+// Of the pixels looked at, how many have a distance.
+double ShareOfDepth(const DepthPicture& depth) {
+  int count = 0, measured = 0;
+  for (int row = 0; row < depth.height; row += kStep) {
+    for (int column = 0; column < depth.width; column += kStep) {
+      ++count;
+      measured += depth.at(column, row) > 0 ? 1 : 0;
+    }
+  }
+  return count == 0 ? 0 : static_cast<double>(measured) / count;
+}
+
 }  // namespace
 
 std::vector<PlacedSighting> PeopleInPictures::Find(const Picture& colour, const Ranges& ranges) {
@@ -70,21 +100,9 @@ std::vector<PlacedSighting> PeopleInPictures::FindInDepth(const Ranges& ranges) 
   return found;
 }
 
-bool IsCovered(const Picture& picture) {
-  double sum = 0, squares = 0;
-  int count = 0;
-  for (int row = 0; row < picture.height; row += kStep) {
-    for (int column = 0; column < picture.width; column += kStep) {
-      const Colour colour = picture.at(column, row);
-      const double bright = (colour[0] + colour[1] + colour[2]) / 3.0;
-      sum += bright;
-      squares += bright * bright;
-      ++count;
-    }
-  }
-  if (count == 0) return true;
-  const double mean = sum / count;
-  return squares / count - mean * mean < kLeastDetail * kLeastDetail;
+// A plain wall has no detail either, but it is at some distance.
+bool IsCovered(const Picture& picture, const DepthPicture& depth) {
+  return !HasDetail(picture) && ShareOfDepth(depth) < kLeastDepth;
 }
 
 }  // namespace coppice::robot::perception

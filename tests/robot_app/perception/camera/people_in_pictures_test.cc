@@ -2,16 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace coppice::robot::perception {
 namespace {
 
 TEST(IsCovered, APictureOfOneShadeButNotOneOfSomething) {
   Picture picture(64, 48);
-  EXPECT_TRUE(IsCovered(picture));
+  EXPECT_TRUE(IsCovered(picture, {}));
   for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
     picture.rgb[i] = static_cast<std::uint8_t>(i / 3 % 64 < 32 ? 0 : 200);
   }
-  EXPECT_FALSE(IsCovered(picture));
+  EXPECT_FALSE(IsCovered(picture, {}));
+}
+
+TEST(IsCovered, APlainWallIsNone) {
+  DepthPicture depth(64, 48);
+  EXPECT_TRUE(IsCovered(Picture(64, 48), depth)) << "nothing is so near";
+  std::fill(depth.millimetres.begin(), depth.millimetres.end(), std::uint16_t{400});
+  EXPECT_FALSE(IsCovered(Picture(64, 48), depth));
 }
 
 TEST(PeopleInPictures, PutsWhatTheDetectorSeesWhereTheDepthSays) {
