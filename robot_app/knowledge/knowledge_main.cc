@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/base/command_line.h"
+#include "bt_core/base/verbs.h"
 #include "robot_app/common/largest_allocation.h"
 #include "robot_app/knowledge/answers/dialogue.h"
 #include "robot_app/knowledge/import/gtfs_feed.h"
@@ -201,51 +201,19 @@ int Synonym(const Options& options) {
   return outcome ? 0 : Fail(outcome.problem());
 }
 
-struct Verb {
-  const char* name;
-  const Command& command;
-  int (*run)(const Options& options);
-};
-const Verb kVerbs[] = {{"import", kImport, Import},
-                       {"ask", kAsk, Ask},
-                       {"show", kShow, Show},
-                       {"unknown", kUnknown, Unknown},
-                       {"synonym", kSynonym, Synonym}};
-
-std::string Usage() {
-  std::string text = "usage: coppice-knowledge VERB ...\n\n";
-  for (const Verb& verb : kVerbs) {
-    const std::string name = verb.name;
-    text += "  " + name + std::string(10 - name.size(), ' ') + verb.command.summary + "\n";
-  }
-  return text + "\n`coppice-knowledge VERB --help` says more.\n";
-}
-
-// Wrong arguments end with 2, what cannot be done with 1.
-int Main(const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
-    (arguments.empty() ? std::cerr : std::cout) << Usage();
-    return arguments.empty() ? 2 : FinishOutput(0);
-  }
-  std::vector<std::string> names;
-  for (const Verb& verb : kVerbs) {
-    names.emplace_back(verb.name);
-    if (arguments[0] != verb.name) continue;
-    const Options options = ParseOptions(verb.command, {arguments.begin() + 1, arguments.end()});
-    return options.exit ? *options.exit : FinishOutput(verb.run(options));
-  }
-  const std::string hint = DidYouMean(arguments[0], names);
-  std::cerr << "coppice-knowledge: unknown verb \"" << arguments[0] << "\""
-            << (hint.empty() ? "" : " (" + hint + ")") << "\n";
-  return 2;
-}
+const std::vector<Verb> kVerbs = {{"import", kImport, Import},
+                                  {"ask", kAsk, Ask},
+                                  {"show", kShow, Show},
+                                  {"unknown", kUnknown, Unknown},
+                                  {"synonym", kSynonym, Synonym}};
 
 }  // namespace
 }  // namespace coppice::robot::knowledge
 
 int main(int argc, char** argv) {
   try {
-    return coppice::robot::knowledge::Main({argv + 1, argv + argc});
+    return coppice::RunVerb("coppice-knowledge", coppice::robot::knowledge::kVerbs,
+                            {argv + 1, argv + argc});
   } catch (const SQLite::Exception& error) {
     std::cerr << "coppice-knowledge: " << error.what() << "\n";
     return 1;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/base/command_line.h"
+#include "bt_core/base/verbs.h"
 #include "robot_app/common/node_probe.h"
 #include "robot_app/storage/export/export_messages.h"
 #include "robot_app/storage/server/mongo_server.h"
@@ -128,41 +128,8 @@ int Schema(const Options&) {
   return 0;
 }
 
-struct Verb {
-  const char* name;
-  const Command& command;
-  int (*run)(const Options& options);
-};
-const Verb kVerbs[] = {
+const std::vector<Verb> kVerbs = {
     {"run", kRun, Run}, {"export", kExport, Export}, {"schema", kSchema, Schema}};
-
-std::string Usage() {
-  std::string text = "usage: coppice-store VERB ...\n\n";
-  for (const Verb& verb : kVerbs) {
-    const std::string name = verb.name;
-    text += "  " + name + std::string(10 - name.size(), ' ') + verb.command.summary + "\n";
-  }
-  return text + "\n`coppice-store VERB --help` says more.\n";
-}
-
-// Wrong arguments end with 2, what cannot be done with 1.
-int Main(const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
-    (arguments.empty() ? std::cerr : std::cout) << Usage();
-    return arguments.empty() ? 2 : FinishOutput(0);
-  }
-  std::vector<std::string> names;
-  for (const Verb& verb : kVerbs) {
-    names.emplace_back(verb.name);
-    if (arguments[0] != verb.name) continue;
-    const Options options = ParseOptions(verb.command, {arguments.begin() + 1, arguments.end()});
-    return options.exit ? *options.exit : FinishOutput(verb.run(options));
-  }
-  const std::string hint = DidYouMean(arguments[0], names);
-  std::cerr << "coppice-store: unknown verb \"" << arguments[0] << "\""
-            << (hint.empty() ? "" : " (" + hint + ")") << "\n";
-  return 2;
-}
 
 }  // namespace
 }  // namespace coppice::robot::storage
@@ -170,7 +137,8 @@ int Main(const std::vector<std::string>& arguments) {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "store", ros::init_options::NoSigintHandler);  // takes out remappings
   try {
-    return coppice::robot::storage::Main({argv + 1, argv + argc});
+    return coppice::RunVerb("coppice-store", coppice::robot::storage::kVerbs,
+                            {argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::cerr << "coppice-store: " << error.what() << "\n";
     return 1;

@@ -61,6 +61,16 @@ TEST_F(DockingFaults, AStationThatWasMovedIsFoundByAnotherAttempt) {
   fault.ExpectNobodyAsked();
 }
 
+TEST_F(DockingFaults, TheLocalizationRestsWhileItCharges) {
+  ASSERT_TRUE(WaitForCurrent(*rig_, 120));
+  EXPECT_TRUE(rig_->WaitFor(
+      [](const RobotState& state) {
+        return state.configuration() == "charging" && state.Pid("localization") == 0 &&
+               state.Pid("navigation") == 0;
+      },
+      60));
+}
+
 TEST_F(DockingFaults, ContactWithoutCurrentIsNoCharging) {
   ASSERT_TRUE(WaitForCurrent(*rig_, 120));
   FaultCase fault(*rig_, "contact without current", "the charger is off for 40 s");

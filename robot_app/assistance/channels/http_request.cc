@@ -7,17 +7,9 @@ namespace {
 
 constexpr std::size_t kMostReplyBytes = 1 << 20;
 
-std::size_t Append(const char* data, std::size_t size, std::size_t count, void* target) {
-  auto& body = *static_cast<std::string*>(target);
-  if (body.size() + size * count > kMostReplyBytes) return 0;
-  body.append(data, size * count);
-  return size * count;
-}
-
 }  // namespace
 
 Expected<std::string> Exchange(const HttpRequest& request, const std::atomic<bool>& cancelled) {
-  std::string body;
   CurlHandle curl(request.url, "http,https", request.timeout, cancelled);
   curl.Set(CURLOPT_CUSTOMREQUEST, request.method.c_str());
   if (request.method != "GET") {
@@ -25,17 +17,8 @@ Expected<std::string> Exchange(const HttpRequest& request, const std::atomic<boo
     curl.Set(CURLOPT_POSTFIELDS, request.body.c_str());
     curl.AddHeader("Content-Type: application/json");
   }
-  if (!request.bearer.empty()) {
-    curl.Set(CURLOPT_HTTPAUTH, static_cast<long>(CURLAUTH_BEARER));
-    curl.Set(CURLOPT_XOAUTH2_BEARER, request.bearer.c_str());
-  }
-  curl.Set(CURLOPT_WRITEFUNCTION, &Append);
-  curl.Set(CURLOPT_WRITEDATA, &body);
-  if (const Outcome sent = curl.Perform(); !sent) return Problem{sent.problem()};
-  long status = 0;
-  curl_easy_getinfo(curl.get(), CURLINFO_RESPONSE_CODE, &status);
-  if (status >= 200 && status <= 299) return body;
-  return Problem{"the service answered with status " + std::to_string(status)};
+  if (!request.bearer.empty()) curl.SetBearer(request.bearer);
+  return curl.PerformForBody(kMostReplyBytes);
 }
 
 std::string UrlPart(const std::string& text) {

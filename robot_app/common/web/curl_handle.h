@@ -6,9 +6,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bt_core/base/outcome.h"
 
@@ -45,6 +47,12 @@ class CurlHandle {
     curl_easy_setopt(handle_, option, value);
   }
 
+  /// A token that is sent along.
+  void SetBearer(const std::string& token) {
+    Set(CURLOPT_HTTPAUTH, static_cast<long>(CURLAUTH_BEARER));
+    Set(CURLOPT_XOAUTH2_BEARER, token.c_str());
+  }
+
   /// `line` has no end of line in it.
   void AddHeader(const std::string& line) {
     headers_ = curl_slist_append(headers_, line.c_str());
@@ -62,9 +70,38 @@ class CurlHandle {
     return Problem{error_[0] ? error_ : curl_easy_strerror(code)};
   }
 
+  /// The body of an HTTP answer of a good status, cut off with a problem behind `most_bytes`.
+  Expected<std::string> PerformForBody(std::size_t most_bytes) {
+    Body body{{}, most_bytes};
+    Set(CURLOPT_WRITEFUNCTION, &Append);
+    Set(CURLOPT_WRITEDATA, &body);
+    const Outcome sent = Perform();
+    if (body.is_cut) {
+      return Problem{"the answer is longer than " + std::to_string(most_bytes) + " bytes"};
+    }
+    if (!sent) return Problem{sent.problem()};
+    long status = 0;
+    curl_easy_getinfo(handle_, CURLINFO_RESPONSE_CODE, &status);
+    if (status >= 200 && status <= 299) return std::move(body.text);
+    return Problem{"the service answered with status " + std::to_string(status)};
+  }
+
   CURL* get() { return handle_; }
 
  private:
+  struct Body {
+    std::string text;
+    std::size_t most;
+    bool is_cut = false;
+  };
+
+  static std::size_t Append(const char* data, std::size_t size, std::size_t count, void* target) {
+    Body& body = *static_cast<Body*>(target);
+    body.is_cut = size * count > body.most - body.text.size();
+    if (body.is_cut) return 0;
+    body.text.append(data, size * count);
+    return size * count;
+  }
   static void Initialize() {
     static const CURLcode code = curl_global_init(CURL_GLOBAL_DEFAULT);
     if (code != CURLE_OK) throw std::runtime_error("libcurl cannot be used");

@@ -14,6 +14,7 @@
 
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/perception/camera/damaged_rows.h"
 #include "robot_app/perception/camera/people_in_pictures.h"
 #include "robot_app/perception/camera/rgbd_topics.h"
 #include "robot_app/perception/people/cloud_decoder.h"
@@ -94,6 +95,7 @@ struct Eye {
 
   RgbdTopics topics;
   PeopleInPictures people;
+  TornGauge damage;
   ros::WallTime due;          // the next picture
   ros::WallTime depth_due;    // the next look at the depth alone
   std::string problem;        // of the last picture
@@ -178,6 +180,7 @@ class CameraNode {
     if (IsCovered(moment->colour, moment->depth)) {
       return Problem{"the picture shows nothing: is the lens covered?"};
     }
+    eye.damage.Add(moment->colour);
     auto ranges = RangesOf(*moment);
     if (!ranges) return Problem{ranges.problem()};
     Outcome cloud = AddLidar(moment->header.stamp, *ranges);
@@ -265,6 +268,9 @@ class CameraNode {
     } else if (eye.topics.is_on() && !(eye.problem + eye.depth_problem).empty()) {
       status.level = diagnostic_msgs::DiagnosticStatus::ERROR;
       status.message = !eye.problem.empty() ? eye.problem : eye.depth_problem;
+    } else if (eye.topics.is_on() && eye.damage.is_damaged()) {
+      status.level = diagnostic_msgs::DiagnosticStatus::WARN;
+      status.message = "rows of its pictures do not fit together: is the cable damaged?";
     }
     const auto add = [&status](const char* key, const std::string& value) {
       status.values.emplace_back();
@@ -273,6 +279,7 @@ class CameraNode {
     };
     add("pictures", std::to_string(eye.pictures));
     const auto count = static_cast<double>(std::max<std::uint64_t>(eye.pictures, 1));
+    add("rows that do not fit [%]", std::to_string(100 * eye.damage.share()));
     add("per picture [ms]", std::to_string(1e3 * eye.calculated / count));
     return status;
   }

@@ -13,27 +13,10 @@ constexpr std::size_t kMostReplyBytes = std::size_t{16} << 20;  // two minutes o
 constexpr std::size_t kMostText = 1000;                         // bytes
 const std::atomic<bool> kNeverCancelled{false};
 
-std::size_t Append(const char* data, std::size_t size, std::size_t count, void* target) {
-  auto& body = *static_cast<std::string*>(target);
-  if (body.size() + size * count > kMostReplyBytes) return 0;
-  body.append(data, size * count);
-  return size * count;
-}
-
 Expected<std::string> Post(CurlHandle& curl, const SpeechService& service) {
-  std::string body;
   curl.Set(CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(service.timeout.count()));
-  if (!service.key.empty()) {
-    curl.Set(CURLOPT_HTTPAUTH, static_cast<long>(CURLAUTH_BEARER));
-    curl.Set(CURLOPT_XOAUTH2_BEARER, service.key.c_str());
-  }
-  curl.Set(CURLOPT_WRITEFUNCTION, &Append);
-  curl.Set(CURLOPT_WRITEDATA, &body);
-  if (const Outcome sent = curl.Perform(); !sent) return Problem{sent.problem()};
-  long status = 0;
-  curl_easy_getinfo(curl.get(), CURLINFO_RESPONSE_CODE, &status);
-  if (status >= 200 && status <= 299) return body;
-  return Problem{"the service answered with status " + std::to_string(status)};
+  if (!service.key.empty()) curl.SetBearer(service.key);
+  return curl.PerformForBody(kMostReplyBytes);
 }
 
 CurlHandle Handle(const SpeechService& service, const char* path) {

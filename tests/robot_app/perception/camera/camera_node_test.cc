@@ -1,4 +1,5 @@
 // coppice-camera with the simulator and its cameras over ROS.
+#include <coppice_msgs/InjectFault.h>
 #include <coppice_msgs/Sightings.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
@@ -62,6 +63,19 @@ TEST_F(CameraNodeTest, SeesWhoWalksByAndWhere) {
   };
   EXPECT_TRUE(Eventually(sees_somebody, kPatience)) << Diagnosis();
   EXPECT_TRUE(Eventually([&] { return Diagnosis() == "looking for people"; }, 10)) << Diagnosis();
+}
+
+TEST_F(CameraNodeTest, TellsOfACameraWhoseDataIsDamaged) {
+  StartSimulation();
+  StartCamera({"_frame:=map", "_cameras:=front", "_period:=0.1"});
+  ASSERT_TRUE(Eventually([&] { return sightings_.get() != nullptr; }, kPatience)) << Diagnosis();
+  coppice_msgs::InjectFault worn;
+  worn.request.fault = "wear_camera";
+  worn.request.target = "front";
+  worn.request.value = 3600;  // all of it within a second
+  ASSERT_TRUE(ros::service::call("/simulation/inject_fault", worn));
+  const auto says = [&] { return Diagnosis().find("is the cable damaged?") != std::string::npos; };
+  EXPECT_TRUE(Eventually(says, kPatience)) << Diagnosis();
 }
 
 TEST_F(CameraNodeTest, WithoutTheLidarItLooksAtTheDepthBetweenTwoPictures) {
