@@ -99,6 +99,8 @@ FLOORS = {
                              "who is heard and answered ([service](service.md))",
          "robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
                                "well they have learnt it",
+         "robot_app/deployment": "sixteen days of the robot in one process under simulated time, "
+                                 "and their report",
          "robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "
                           "blackboards"},
     ],
