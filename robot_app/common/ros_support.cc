@@ -172,6 +172,19 @@ std::optional<Pose2D> RobotPose::At(const ros::Time& stamp) const {
   return Compose(localization->pose, odometry->pose);
 }
 
+std::optional<RobotPose::Stamped> RobotPose::InOdometry(const ros::Time& stamp) const {
+  auto odometry = Lookup(frames_.odom, frames_.base, stamp);
+  if (!odometry) odometry = Lookup(frames_.odom, frames_.base, ros::Time(0));
+  if (!odometry) return std::nullopt;
+  return Stamped{odometry->pose, odometry->stamp};
+}
+
+std::optional<RobotPose::Stamped> RobotPose::OdometryInMap() const {
+  const auto localization = Lookup(frames_.map, frames_.odom, ros::Time(0));
+  if (!localization) return std::nullopt;
+  return Stamped{localization->pose, localization->stamp};
+}
+
 std::optional<Pose2D> RobotPose::MountOf(const std::string& frame) const {
   const auto mount = Lookup(frames_.base, frame, ros::Time(0));
   if (!mount) return std::nullopt;

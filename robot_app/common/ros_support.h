@@ -91,6 +91,11 @@ class RobotPose {
   std::optional<Stamped> Newest() const;
   /// The pose at a time, or the newest one if tf does not have that time.
   std::optional<Pose2D> At(const ros::Time& stamp) const;
+  /// base_link in the frame of the odometry, which never jumps: at a time, or the newest if tf does
+  /// not have that time. Needs no localization.
+  std::optional<Stamped> InOdometry(const ros::Time& stamp = ros::Time(0)) const;
+  /// The frame of the odometry in the map, as the localization said last.
+  std::optional<Stamped> OdometryInMap() const;
   /// The fixed place of a sensor's frame in base_link; nothing if tf does not know it.
   std::optional<Pose2D> MountOf(const std::string& frame) const;
   /// A scan with the place of its scanner. Nothing, with a warning now and then, if tf does not

@@ -17,7 +17,7 @@ constexpr double kFarthestStart = 0.3;  // from the docked pose [m]
 
 void ContactWiggle::Start(const DockInput& input) {
   *this = ContactWiggle(settings_);
-  if (Distance(input.pose, settings_.docked) > kFarthestStart) {
+  if (!StandsInStation(input, kFarthestStart)) {
     state_ = State::kFailed;
     message_ = "the robot does not stand on the station";
     return;

@@ -1,7 +1,8 @@
 // coppice-docking: the dock controller as the ROS node /docking.
 #include <actionlib/server/simple_action_server.h>
 #include <coppice_msgs/DockingAction.h>
-#include <nav_msgs/Odometry.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <nav_msgs/Path.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
 
@@ -12,6 +13,7 @@
 
 #include "bt_core/base/outcome.h"
 #include "robot_app/common/battery_message.h"
+#include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/docking/dock_controller.h"
 
@@ -21,34 +23,46 @@ namespace {
 constexpr char kHelp[] =
     "coppice-docking: drives onto the charging station and off it, as the ROS node /docking.\n"
     "  action      docking (coppice_msgs/Docking)\n"
-    "  subscribes  /battery_state /scan /odom /tf /tf_static\n"
+    "  subscribes  /battery_state /scan /tf /tf_static\n"
     "  publishes   /cmd_vel, only during a manoeuvre\n"
+    "              /docking/station (geometry_msgs/PoseStamped: base_link when docked, as it is seen)\n"
+    "              /docking/path (nav_msgs/Path: the way into the station)\n"
+    "The station is recognized by its landmark. Where it should be (the place of the category\n"
+    "\"station\" in ~places, later where it was seen the last time) only tells where to look.\n"
     "Only a charging current that lasts, or a charger that says the battery is full, is success.\n"
-    "Undocking works without localization, which does not run while the robot charges: as long as\n"
-    "the contacts touch the robot is where it docks.\n";
+    "Nothing needs the localization, which does not run while the robot charges.\n";
 
 constexpr double kControlPeriod = 0.05;  // ROS time [s]
 constexpr double kPoseTimeout = 1.0;     // an older pose is not driven with [s]
 constexpr double kScanTimeout = 1.0;     // nor is an older scan
 constexpr double kBatteryTimeout = 5.0;  // an older reading of the battery does not count [s]
+constexpr double kFirstLook = 0.5;       // for the landmark, before a manoeuvre begins [s]
 constexpr double kBlindTimeout = 10.0;   // standing still until they are back, no longer [s]
 constexpr double kLargestOffset = 0.2;   // of an approach [m]
 constexpr double kPointRange = 3.0;      // of obstacles [m]
+constexpr double kPathStep = 0.05;       // of what is shown of the path [m]
 
 struct Settings {
   DockSettings dock;
+  LandmarkSettings landmark;
+  std::string places = "none";
+  std::optional<Pose2D> prior;  // base_link when docked, on the map
   Frames frames;
 };
 
 Parameters ParametersOf(Settings& settings) {
   DockSettings& dock = settings.dock;
   return WithFrames(
-      {{"docked_x", &dock.docked.x, -1e4, 1e4, "base_link when docked, on the map [m]"},
-       {"docked_y", &dock.docked.y, -1e4, 1e4, "[m]"},
-       {"docked_yaw", &dock.docked.yaw, -7, 7, "[rad]"},
-       {"staging_distance", &dock.staging_distance, 0.3, 5, "from there to the staging pose [m]"},
+      {{"places", &settings.places, "file with the place of the category \"station\""},
+       {"landmark_leg", &dock.landmark.leg, 0.1, 2, "of the landmark [m]"},
+       {"landmark_opening", &dock.landmark.opening, 1, 3, "between its legs [rad]"},
+       {"landmark_ahead", &dock.landmark.ahead, 0.1, 2, "its corner before base_link, docked [m]"},
+       {"scan_noise", &settings.landmark.noise, 0.001, 0.1, "standard deviation of a range [m]"},
+       {"staging_distance", &dock.staging_distance, 0.3, 5,
+        "staging pose before the docked one [m]"},
        {"farthest_start", &dock.farthest_start, 0.1, 10, "from that; else it is refused [m]"},
-       {"approach_speed", &dock.approach_speed, 0.03, 0.15, "into the station [m/s]"},
+       {"turn_radius", &dock.turn_radius, 0.2, 3, "of the way into the station [m]"},
+       {"approach_speed", &dock.approach_speed, 0.03, 0.15, "on its last metre [m/s]"},
        {"attempts", &dock.attempts, 1, 20, "until it gives up"},
        {"charging_above", &dock.charging_above, 0, 1000, "a current into the battery counts [A]"},
        {"charging_for", &dock.charging_for, 0, 600, "and must last so long [s]"},
@@ -61,19 +75,19 @@ class DockingNode {
  public:
   explicit DockingNode(const Settings& settings)
       : settings_(settings.dock),
+        frames_(settings.frames),
+        station_(settings.prior),
+        tracker_(settings.landmark),
         controller_(settings.dock),
         pose_(settings.frames),
         server_(node_, "docking", false) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
+    seen_ = node_.advertise<geometry_msgs::PoseStamped>("/docking/station", 1);
+    path_ = node_.advertise<nav_msgs::Path>("/docking/path", 1);
     subscribers_.push_back(node_.subscribe<sensor_msgs::BatteryState>(
         "/battery_state", 5, [this](const sensor_msgs::BatteryState::ConstPtr& message) {
           battery_ = ToBatteryReading(*message, {});
           battery_stamp_ = message->header.stamp.toSec();
-        }));
-    subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
-        "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
-          wheels_ = ToPose2D(message->pose.pose);
-          wheels_stamp_ = message->header.stamp.toSec();
         }));
     subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
         "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) {
@@ -81,6 +95,7 @@ class DockingNode {
           if (!scan) return;
           points_ = PointsInBase(*scan, kPointRange);
           scan_stamp_ = scan->stamp;
+          LookForStation(*scan, message->header.stamp);
         }));
     server_.registerGoalCallback([this] { OnGoal(); });
     server_.registerPreemptCallback([this] {
@@ -92,14 +107,48 @@ class DockingNode {
   }
 
  private:
-  // From the localization; or, on the way off the station, from where it began by the wheels.
-  std::optional<Pose2D> PoseOnMap(const DockInput& input) {
-    const auto pose = pose_.Newest();
-    if (pose && input.now - pose->stamp < kPoseTimeout) return pose->pose;
-    if (goal_->dock || input.now - wheels_stamp_ > kPoseTimeout) return std::nullopt;
-    if (!is_started_ && input.battery_known && input.docked) wheels_docked_ = wheels_;
-    if (!wheels_docked_) return std::nullopt;
-    return Compose(settings_.docked, RelativeTo(*wheels_docked_, wheels_));
+  // Where the station should be, in the frame of the odometry.
+  std::optional<Pose2D> ExpectedStation() const {
+    const auto odometry = pose_.OdometryInMap();
+    if (!odometry || !station_) return std::nullopt;
+    return RelativeTo(odometry->pose, *station_);
+  }
+
+  // In every scan of a manoeuvre.
+  void LookForStation(const LaserScan& scan, const ros::Time& stamp) {
+    if (!server_.isActive()) return;
+    const auto base = pose_.InOdometry(stamp);
+    if (!base) return;
+    tracker_.AddScan(scan, base->pose, ExpectedStation());
+    if (!tracker_.seen()) return;
+    geometry_msgs::PoseStamped message;
+    message.header.stamp = stamp;
+    message.header.frame_id = frames_.odom;
+    message.pose = ToPoseMessage(tracker_.seen()->docked);
+    seen_.publish(message);
+  }
+
+  void PublishPath() {
+    if (path_.getNumSubscribers() == 0) return;
+    nav_msgs::Path message;
+    message.header.stamp = ros::Time::now();
+    message.header.frame_id = frames_.odom;
+    const auto& path = controller_.path();
+    for (double way = 0; path && way < path->length(); way += kPathStep) {
+      geometry_msgs::PoseStamped pose;
+      pose.header = message.header;
+      pose.pose = ToPoseMessage(Compose(*controller_.station(), path->At(way)));
+      message.poses.push_back(pose);
+    }
+    path_.publish(message);
+  }
+
+  // The next time the station is looked for where it was now.
+  void LearnStation() {
+    const auto odometry = pose_.OdometryInMap();
+    if (!tracker_.seen() || !odometry) return;
+    if (ros::Time::now().toSec() - odometry->stamp > kPoseTimeout) return;
+    station_ = Compose(odometry->pose, tracker_.seen()->docked);
   }
 
   // What is known now; a problem if that is not enough to drive with.
@@ -110,22 +159,32 @@ class DockingNode {
     input.docked = leaves::StandsOnStation(battery_, settings_.charging_above).value_or(false);
     input.full = battery_.charger == leaves::ChargerState::kFull;
     input.battery_known = input.now - battery_stamp_ < kBatteryTimeout;
-    const auto pose = PoseOnMap(input);
+    const auto pose = pose_.InOdometry();
     if (input.now - scan_stamp_ > kScanTimeout) return Problem{"there is no laser scan"};
-    if (!pose) return Problem{"the robot's pose is not known"};
-    input.pose = *pose;
+    if (!pose || input.now - pose->stamp > kPoseTimeout) {
+      return Problem{"there is no odometry"};
+    }
+    input.pose = pose->pose;
     input.obstacles = points_;
+    input.seen = tracker_.seen();
+    input.expected = ExpectedStation();
     return input;
   }
 
   void OnGoal() {
     goal_ = server_.acceptNewGoal();
     is_started_ = false;
+    accepted_ = ros::Time::now().toSec();
     blind_for_ = 0;
-    wheels_docked_.reset();
+    tracker_.Reset();
     if (!(std::abs(goal_->lateral_offset) <= kLargestOffset)) {
       Finish(false, "the lateral offset is too large");
     }
+  }
+
+  // Some scans first: what is begun depends on where the robot stands.
+  bool HasLooked(const DockInput& input) const {
+    return input.seen || std::abs(input.now - accepted_) > kFirstLook;
   }
 
   void Start(const DockInput& input) {
@@ -176,10 +235,14 @@ class DockingNode {
     const Expected<DockInput> input = Input();
     if (!input) return StandStill(input.problem());
     blind_for_ = 0;
+    if (!is_started_ && !HasLooked(*input)) return command_.publish(geometry_msgs::Twist());
     Start(*input);
     command_.publish(ToTwist(controller_.Update(*input)));  // zero once it has ended
+    PublishPath();
     if (!controller_.active()) {
-      return Finish(controller_.phase() == DockController::Phase::kDone, controller_.message());
+      const bool done = controller_.phase() == DockController::Phase::kDone;
+      if (done && goal_->dock) LearnStation();
+      return Finish(done, controller_.message());
     }
     coppice_msgs::DockingFeedback feedback;
     feedback.phase = ToString(controller_.phase());
@@ -189,21 +252,23 @@ class DockingNode {
   }
 
   DockSettings settings_;
+  Frames frames_;
+  std::optional<Pose2D>
+      station_;  // base_link when docked, on the map: the prior, or as it was seen
   ros::NodeHandle node_;
+  StationTracker tracker_;
   DockController controller_;
   RobotPose pose_;
-  leaves::BatteryReading battery_;       // the newest
-  double battery_stamp_ = 0;             // [s]
-  Pose2D wheels_;                        // base_link in the frame of /odom
-  double wheels_stamp_ = 0;              // [s]
-  std::optional<Pose2D> wheels_docked_;  // wheels_ in the station, before undocking
+  leaves::BatteryReading battery_;  // the newest
+  double battery_stamp_ = 0;        // [s]
   std::vector<Point2D> points_;
   double scan_stamp_ = 0;
   actionlib::SimpleActionServer<coppice_msgs::DockingAction> server_;
   coppice_msgs::DockingGoal::ConstPtr goal_;
   bool is_started_ = false;  // the goal; else it waits for the sensors
+  double accepted_ = 0;      // the goal [s]
   double blind_for_ = 0;     // not all is known that the controller needs, since then [s]
-  ros::Publisher command_;
+  ros::Publisher command_, seen_, path_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Timer timer_;
 };
@@ -212,15 +277,12 @@ class DockingNode {
 }  // namespace coppice::robot::docking
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::docking::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "docking", robot::docking::kHelp, parameters)) {
-    return *status;
-  }
-  ros::NodeHandle keep_alive;
-  robot::docking::DockingNode node(settings);
-  ros::spin();
-  return 0;
+  using namespace coppice::robot::docking;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "docking", kHelp, [](Settings& settings) {
+    settings.landmark.shape = settings.dock.landmark;
+    if (!coppice::robot::ReadStation(settings.places, settings.prior)) return 2;
+    DockingNode node(settings);
+    ros::spin();
+    return 0;
+  });
 }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "robot_app/common/laser_scan.h"
-#include "robot_app/docking/landmark_shape.h"
+#include "robot_app/common/places/landmark_shape.h"
 
 namespace coppice::robot::docking {
 

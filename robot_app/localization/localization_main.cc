@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/localization/localizer.h"
 #include "robot_app/localization/pose_file.h"
@@ -35,6 +36,7 @@ constexpr double kPersonTurn = 0.26;      // rad
 struct Settings {
   LocalizerSettings localizer;
   std::optional<Pose2D> start;
+  std::string places = "none";
   std::string last_pose_file = "none";
   Frames frames;
 };
@@ -44,6 +46,7 @@ Parameters ParametersOf(Settings& settings) {
   ParticleFilterSettings& filter = localizer.filter;
   return WithFrames(
       {{"start_pose", &settings.start, "\"X Y YAW\" where it may be at the start"},
+       {"places", &settings.places, "else on the station of this file"},
        {"last_pose_file", &settings.last_pose_file, "or where it was last"},
        {"agree", &localizer.agree, 0.1, 1, "score from which a scan confirms the pose"},
        {"margin", &localizer.margin, 0, 0.5, "a rival agrees with so much fewer beams"},
@@ -232,11 +235,13 @@ class LocalizationNode {
 
 int main(int argc, char** argv) {
   using namespace coppice::robot::localization;  // NOLINT: the whole program
-  return coppice::robot::RunNode<Settings>(argc, argv, "localization", kHelp,
-                                           [](const Settings& settings) {
-                                             LocalizationNode node(settings);
-                                             ros::spin();
-                                             node.LeavePose();
-                                             return 0;
-                                           });
+  return coppice::robot::RunNode<Settings>(
+      argc, argv, "localization", kHelp, [](Settings& settings) {
+        if (!settings.start && !coppice::robot::ReadStation(settings.places, settings.start))
+          return 2;
+        LocalizationNode node(settings);
+        ros::spin();
+        node.LeavePose();
+        return 0;
+      });
 }

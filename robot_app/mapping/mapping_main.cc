@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/localization/pose_file.h"
 #include "robot_app/mapping/map_file.h"
@@ -31,7 +32,8 @@ constexpr double kStatePeriod = 1;  // wall time [s]
 struct Settings {
   MappingSettings mapping;
   double map_period = 2;  // [s]
-  std::optional<Pose2D> start = Pose2D();
+  std::optional<Pose2D> start;
+  std::string places = "none";
   std::string map_file = "none";
   std::string last_pose_file = "none";
 
@@ -46,6 +48,7 @@ Parameters ParametersOf(Settings& settings) {
   return WithFrames(
       {{"map_file", &settings.map_file, "the YAML file of the map"},
        {"start_pose", &settings.start, "\"X Y YAW\" at the start"},
+       {"places", &settings.places, "else on the station of this file, else 0 0 0"},
        {"last_pose_file", &settings.last_pose_file, "where it was last, and is at the end"},
        {"range", &mapping.range, 1, 100, "beams are believed so far [m]"},
        {"resolution", &mapping.resolution, 0.01, 1, "of the map [m]"},
@@ -205,11 +208,11 @@ class MappingNode {
 
 int main(int argc, char** argv) {
   using namespace coppice::robot::mapping;  // NOLINT: the whole program
-  return coppice::robot::RunNode<Settings>(argc, argv, "mapping", kHelp,
-                                           [](const Settings& settings) {
-                                             MappingNode node(settings);
-                                             ros::spin();
-                                             node.KeepWhatIsUnsaved();
-                                             return 0;
-                                           });
+  return coppice::robot::RunNode<Settings>(argc, argv, "mapping", kHelp, [](Settings& settings) {
+    if (!settings.start && !coppice::robot::ReadStation(settings.places, settings.start)) return 2;
+    MappingNode node(settings);
+    ros::spin();
+    node.KeepWhatIsUnsaved();
+    return 0;
+  });
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/navigation/navigation.h"
 #include "robot_app/navigation/relative_motion.h"
@@ -30,7 +31,7 @@ constexpr char kHelp[] =
     "  subscribes  /map /scan /sonar/left /sonar/front /sonar/right /odom /tf /tf_static,\n"
     "              /navigation/speed_limit (std_msgs/Float64 [m/s], holds for two seconds)\n"
     "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path,\n"
-    "              /navigation/way_to_station (with ~station, as long as there is a way on the "
+    "              /navigation/way_to_station (with ~places, as long as there is a way on the "
     "map)\n"
     "A motion holds up a running goal, which goes on afterwards.\n";
 
@@ -43,7 +44,8 @@ struct Settings {
   RelativeMotionSettings motion;
   Frames frames;
   double clearance = 0.05;  // planned beyond the robot's radius [m]
-  std::optional<Point2D> station;
+  std::string places = "none";
+  std::optional<Pose2D> station;  // on the map
 };
 
 Parameters ParametersOf(Settings& settings) {
@@ -64,7 +66,7 @@ Parameters ParametersOf(Settings& settings) {
        {"sonar_range", &navigation.sonar.mark_range, 0, 10, "echoes from farther mark nothing [m]"},
        {"forget_echoes_after", &navigation.sonar.forget_after, 0.1, 60, "[s]"},
        {"sensor_timeout", &navigation.sensor_timeout, 0.1, 60, "an older pose does not count [s]"},
-       {"station", &settings.station, "\"X Y\" of the charging station on the map [m]"}},
+       {"places", &settings.places, "file with the place of the category \"station\""}},
       settings.frames);
 }
 
@@ -147,7 +149,7 @@ class NavigationNode {
     if (!settings_.station) return;
     Costmap costs(settings_.navigation.costs);
     costs.Update(map);
-    ways_.emplace(costs, *settings_.station);
+    ways_.emplace(costs, Point2D{settings_.station->x, settings_.station->y});
   }
 
   void OnScan(const sensor_msgs::LaserScan& message) {
@@ -387,6 +389,7 @@ int main(int argc, char** argv) {
   using namespace coppice::robot::navigation;  // NOLINT: the whole program
   return coppice::robot::RunNode<Settings>(argc, argv, "navigation", kHelp, [](Settings& settings) {
     Derive(settings);
+    if (!coppice::robot::ReadStation(settings.places, settings.station)) return 2;
     NavigationNode node(settings);
     ros::spin();
     return 0;

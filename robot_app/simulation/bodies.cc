@@ -31,6 +31,14 @@ struct Bodies::Box2D {
     return AddShape(shape);
   }
 
+  b2Fixture* AddTriangle(const Triangle& triangle) {
+    b2PolygonShape shape;
+    const std::array<b2Vec2, 3> corners = {ToBox2D(triangle[0]), ToBox2D(triangle[1]),
+                                           ToBox2D(triangle[2])};
+    shape.Set(corners.data(), static_cast<int>(corners.size()));
+    return AddShape(shape);
+  }
+
   b2Fixture* AddShape(const b2Shape& shape) {
     b2FixtureDef def;
     def.shape = &shape;
@@ -67,6 +75,7 @@ struct Bodies::Box2D {
   b2Body* robot = nullptr;
   std::vector<b2Fixture*> doors;
   std::vector<b2Fixture*> places;
+  std::vector<b2Fixture*> landmark;  // one, or none yet
   std::vector<b2Body*> people;
   Velocity velocity;
 };
@@ -94,6 +103,10 @@ void Bodies::SetDoor(std::size_t i, const std::optional<Segment>& leaf) {
 
 void Bodies::SetPlace(std::size_t i, const std::optional<Rectangle>& box) {
   box2d_->Replace(box2d_->places, i, box ? box2d_->AddRectangle(*box) : nullptr);
+}
+
+void Bodies::SetLandmark(const std::optional<Triangle>& landmark) {
+  box2d_->Replace(box2d_->landmark, 0, landmark ? box2d_->AddTriangle(*landmark) : nullptr);
 }
 
 void Bodies::SetPerson(std::size_t i, const Disc& disc, double dt) {

@@ -35,6 +35,9 @@ class Bodies {
   /// Puts the box of place `i` there, or takes it away.
   void SetPlace(std::size_t i, const std::optional<Rectangle>& box);
 
+  /// Puts the landmark of the charging station there, or takes it away.
+  void SetLandmark(const std::optional<Triangle>& landmark);
+
   /// Moves person `i` to `disc` in the next Step().
   void SetPerson(std::size_t i, const Disc& disc, double dt);
 

@@ -6,6 +6,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <vector>
@@ -183,7 +184,13 @@ class CamerasNode {
     for (Station& station : stations_) station.Publish(scene_, people, world);
   }
 
-  // Builds the scene anew if a door or a box has moved. False if the world is that of another
+  static bool IsSame(const std::optional<Triangle>& a, const std::optional<Triangle>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return std::equal(a->begin(), a->end(), b->begin(),
+                      [](Vec2 p, Vec2 q) { return p.x == q.x && p.y == q.y; });
+  }
+
+  // Builds the scene anew if a door, a box or the station has moved. False if the world is that of another
   // floor.
   bool Follow(const coppice_msgs::SimulatedWorld& world) {
     const Floor& floor = settings_.floor;
@@ -198,10 +205,14 @@ class CamerasNode {
     }
     const std::vector<bool> doors(world.door_open.begin(), world.door_open.end());
     const std::vector<bool> places(world.place_blocked.begin(), world.place_blocked.end());
-    if (!is_built_ || doors != doors_ || places != places_) {
-      scene_ = Scene(MakeStillScene(floor, doors, places));
+    const auto& moved = world.station_moved;
+    const auto landmark =
+        world.landmark ? LandmarkOf(floor, {moved.x, moved.y, moved.theta}) : std::nullopt;
+    if (!is_built_ || doors != doors_ || places != places_ || !IsSame(landmark, landmark_)) {
+      scene_ = Scene(MakeStillScene(floor, doors, places, landmark));
       doors_ = doors;
       places_ = places;
+      landmark_ = landmark;
       is_built_ = true;
     }
     return true;
@@ -214,6 +225,7 @@ class CamerasNode {
   ros::Subscriber subscriber_;
   bool is_built_ = false;
   std::vector<bool> doors_, places_;  // of the scene
+  std::optional<Triangle> landmark_;  // the same
   Scene scene_;
   SteadyClock::time_point rests_until_{};
 };

@@ -16,6 +16,14 @@ constexpr double kFastestWear = 3600;  // all rows within a second
 constexpr std::array<const char*, 6> kWithoutReadings = {
     "/scan", "/velodyne_points", "/imu/data", "/sonar/left", "/sonar/front", "/sonar/right"};
 
+// "X Y YAW"; nothing if it is none.
+std::optional<Pose2> ToPose(const std::string& text) {
+  Pose2 pose;
+  char rest = 0;
+  const int read = std::sscanf(text.c_str(), "%lf %lf %lf %c", &pose.x, &pose.y, &pose.yaw, &rest);
+  return read == 3 ? std::optional(pose) : std::nullopt;
+}
+
 }  // namespace
 
 const std::map<std::string, Faults::Kind>& Faults::Kinds() {
@@ -29,7 +37,10 @@ const std::map<std::string, Faults::Kind>& Faults::Kinds() {
       {"thaw_battery", {&Faults::ThawBattery, "freeze_battery"}},
       {"contact_without_current", {&Faults::SwitchChargerOff, "restore_current"}},
       {"restore_current", {&Faults::SwitchChargerOn, "contact_without_current"}},
-      {"docking_offset", {&Faults::MoveStation, "docking_offset"}},
+      {"docking_offset", {&Faults::BendContacts, "docking_offset"}},
+      {"move_station", {&Faults::MoveStation, ""}},
+      {"take_landmark", {&Faults::TakeLandmark, "restore_landmark"}},
+      {"restore_landmark", {&Faults::PutLandmark, "take_landmark"}},
       {"emergency_stop", {&Faults::PressStop, "release_emergency_stop"}},
       {"release_emergency_stop", {&Faults::ReleaseStop, "emergency_stop"}},
       {"kidnap", {&Faults::Kidnap, ""}},
@@ -238,18 +249,18 @@ Change Faults::ThawBattery(const Fault&) {
   return "the battery's values are measured";
 }
 
+Change Faults::MoveStation(const Fault& f) {
+  if (const auto pose = ToPose(f.target)) return world_.MoveStation(*pose);
+  return Problem{"the target is \"X Y YAW\" as seen by a docked robot, not \"" + f.target + "\""};
+}
+
 Change Faults::Kidnap(const Fault& f) {
   std::vector<std::string> names;
   for (const FloorWaypoint& waypoint : world_.floor().waypoints) {
     if (waypoint.name == f.target) return world_.Kidnap(waypoint.pose);
     names.push_back(waypoint.name);
   }
-  Pose2 pose;
-  char rest = 0;
-  const char* text = f.target.c_str();
-  if (std::sscanf(text, "%lf %lf %lf %c", &pose.x, &pose.y, &pose.yaw, &rest) == 3) {
-    return world_.Kidnap(pose);
-  }
+  if (const auto pose = ToPose(f.target)) return world_.Kidnap(*pose);
   const std::string hint = DidYouMean(f.target, names);
   return Problem{"the target is a waypoint of the floor or \"X Y YAW\", not \"" + f.target + "\"" +
                  (hint.empty() ? "" : " (" + hint + ")")};

@@ -18,7 +18,7 @@ namespace coppice::robot::simulation {
 
 struct Fault {
   std::string fault;    ///< what to do, for example "block_corridor"
-  std::string target;   ///< the place, door, node or topic; for kidnap a waypoint or "X Y YAW"
+  std::string target;   ///< the place, door, node or topic; a waypoint or "X Y YAW"
   double value = 0;     ///< charge 0..1, offset [m] or factor of a rate, as the fault needs it
   double duration = 0;  ///< s of simulated time until it heals by itself; 0 = never
 };
@@ -63,7 +63,10 @@ class Faults {
   Change Close(const Fault& f) { return world_.SetDoorOpen(f.target, false); }
   Change SetBattery(const Fault& f) { return world_.SetStateOfCharge(f.value); }
   Change Kidnap(const Fault& f);
-  Change MoveStation(const Fault& f) { return world_.SetStationOffset(f.value); }
+  Change BendContacts(const Fault& f) { return world_.SetContactsOffset(f.value); }
+  Change MoveStation(const Fault& f);
+  Change TakeLandmark(const Fault&) { return world_.SetLandmark(false); }
+  Change PutLandmark(const Fault&) { return world_.SetLandmark(true); }
   Change SwitchChargerOff(const Fault&) { return world_.SetChargerOn(false); }
   Change SwitchChargerOn(const Fault&) { return world_.SetChargerOn(true); }
   Change PressStop(const Fault&) { return world_.SetEmergencyStop(true); }

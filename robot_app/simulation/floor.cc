@@ -204,12 +204,27 @@ FloorWaypoint ReadWaypoint(Reader& reader, const YAML::Node& node) {
   return waypoint;
 }
 
+StationLandmark ReadLandmark(Reader& reader, const YAML::Node& node) {
+  const std::string what = "landmark";
+  StationLandmark landmark;
+  if (!reader.CheckMap(node, what, {"leg", "opening", "ahead", "height"})) return landmark;
+  landmark.shape.leg = reader.Positive(node, what, "leg");
+  landmark.shape.opening = reader.Positive(node, what, "opening");
+  if (landmark.shape.opening >= kPi) {
+    reader.Error(node["opening"].Mark(), what + ": opening must be less than pi");
+  }
+  landmark.shape.ahead = reader.Positive(node, what, "ahead");
+  landmark.height = reader.Positive(node, what, "height");
+  return landmark;
+}
+
 void ReadStation(Reader& reader, const YAML::Node& root, Floor& floor) {
   const std::string what = "charging_station";
   const YAML::Node station = reader.Member(root, "floor", "charging_station");
-  if (!station || !reader.CheckMap(station, what, {"docked", "staging"})) return;
+  if (!station || !reader.CheckMap(station, what, {"docked", "staging", "landmark"})) return;
   floor.docked = reader.Pose(station, what, "docked");
   floor.staging = reader.Pose(station, what, "staging");
+  if (station["landmark"]) floor.landmark = ReadLandmark(reader, station["landmark"]);
 }
 
 // A name given twice could not be addressed.
@@ -293,6 +308,18 @@ std::optional<Segment> DoorLeaf(const Door& door, bool open) {
   if (door.kind == Door::Kind::kSliding) return std::nullopt;
   const double angle = door.swings_left ? kPi / 2 : -kPi / 2;
   return Segment{door.hinge, door.hinge + Rotated(door.end - door.hinge, angle)};
+}
+
+Triangle LandmarkAt(const LandmarkShape& shape, const Pose2& docked) {
+  const auto at = [&](double x, double y) {
+    return Compose(docked, {shape.ahead + x, y, 0}).position();
+  };
+  return {at(0, 0), at(shape.depth(), shape.half_width()), at(shape.depth(), -shape.half_width())};
+}
+
+std::array<Segment, 3> SidesOf(const Triangle& triangle) {
+  return {Segment{triangle[0], triangle[1]}, Segment{triangle[1], triangle[2]},
+          Segment{triangle[2], triangle[0]}};
 }
 
 double DistanceFromSweep(const Door& door, Vec2 point) {

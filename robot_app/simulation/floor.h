@@ -6,11 +6,13 @@
 #ifndef COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_
 #define COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
+#include "robot_app/common/places/landmark_shape.h"
 #include "robot_app/simulation/scene/geometry.h"
 
 namespace coppice::robot::simulation {
@@ -48,6 +50,12 @@ struct FloorWaypoint {
   Pose2 pose;
 };
 
+/// The triangle of a charging station; see landmark_shape.h.
+struct StationLandmark {
+  LandmarkShape shape;
+  double height = 0.5;
+};
+
 struct Floor {
   std::string name;
   double wall_height = 2.5;
@@ -58,9 +66,10 @@ struct Floor {
   std::vector<Door> doors;
   std::vector<FloorBox> places;  ///< that can be blocked; empty at the start
   std::vector<Walker> people;
-  std::vector<FloorWaypoint> waypoints;  ///< good goals for the robot
-  Pose2 docked;                          ///< base_link when the charging contacts touch
-  Pose2 staging;                         ///< base_link in front of the station, ready to dock
+  std::vector<FloorWaypoint> waypoints;     ///< good goals for the robot
+  Pose2 docked;                             ///< base_link when the charging contacts touch
+  Pose2 staging;                            ///< base_link in front of the station, ready to dock
+  std::optional<StationLandmark> landmark;  ///< of the station; absent: it is invisible
 };
 
 /// Reads a floor. Adds every problem found, with file and line, and then returns nothing. Never
@@ -73,6 +82,14 @@ std::optional<Floor> ParseFloor(const std::string& yaml, const std::string& file
 
 /// Where the leaf of a door stands. A sliding door that is open has none.
 std::optional<Segment> DoorLeaf(const Door& door, bool open);
+
+/// Where the landmark stands when the contacts are at `docked`: its corner, and the ends of its left
+/// and right leg as seen by a docked robot.
+using Triangle = std::array<Vec2, 3>;
+Triangle LandmarkAt(const LandmarkShape& shape, const Pose2& docked);
+
+/// Its three sides.
+std::array<Segment, 3> SidesOf(const Triangle& triangle);
 
 /// The distance of a point from the area that the leaf passes when the door opens or closes; 0
 /// inside it.

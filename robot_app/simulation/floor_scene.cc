@@ -14,7 +14,8 @@ void AddWalls(const std::vector<std::vector<Vec2>>& walls, double height, StillS
 }  // namespace
 
 StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open,
-                          const std::vector<bool>& place_blocked) {
+                          const std::vector<bool>& place_blocked,
+                          const std::optional<Triangle>& landmark) {
   StillScene still;
   still.ceiling = floor.wall_height;
   AddWalls(floor.walls, floor.wall_height, still);
@@ -29,7 +30,24 @@ StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open
     const auto leaf = DoorLeaf(floor.doors[i], door_open[i]);
     if (leaf) still.panels.push_back({*leaf, floor.wall_height, Material::kDoor});
   }
+  if (landmark) {
+    for (const Segment& side : SidesOf(*landmark)) {
+      still.panels.push_back({side, floor.landmark->height, Material::kFurniture});
+    }
+  }
   return still;
+}
+
+StillScene MakeStillScene(const Floor& floor) {
+  std::vector<bool> door_open;
+  for (const Door& door : floor.doors) door_open.push_back(door.open);
+  return MakeStillScene(floor, door_open, std::vector<bool>(floor.places.size(), false),
+                        LandmarkOf(floor));
+}
+
+std::optional<Triangle> LandmarkOf(const Floor& floor, const Pose2& moved) {
+  if (!floor.landmark) return std::nullopt;
+  return LandmarkAt(floor.landmark->shape, Compose(floor.docked, moved));
 }
 
 StillScene WithGlass(StillScene still, const Floor& floor) {

@@ -9,10 +9,19 @@
 
 namespace coppice::robot::simulation {
 
-/// What stands still: walls, furniture, the boxes of blocked places, door leaves. `door_open` and
-/// `place_blocked` have one for each of the floor's doors and places.
+/// What stands still: walls, furniture, the boxes of blocked places, door leaves, and the landmark
+/// of the charging station where it is now, or none. `door_open` and `place_blocked` have one for
+/// each of the floor's doors and places.
 StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open,
-                          const std::vector<bool>& place_blocked);
+                          const std::vector<bool>& place_blocked,
+                          const std::optional<Triangle>& landmark);
+
+/// The same with everything as it is at the start.
+StillScene MakeStillScene(const Floor& floor);
+
+/// The landmark when the station was moved by `moved` as seen by a docked robot; nothing if the
+/// floor's station has none.
+std::optional<Triangle> LandmarkOf(const Floor& floor, const Pose2& moved = {});
 
 /// The same as sound meets it: with the panes of glass.
 StillScene WithGlass(StillScene still, const Floor& floor);

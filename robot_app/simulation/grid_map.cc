@@ -1,5 +1,7 @@
 #include "robot_app/simulation/grid_map.h"
 
+#include "robot_app/simulation/floor_scene.h"
+
 namespace coppice::robot::simulation {
 namespace {
 
@@ -90,6 +92,9 @@ GridMap MakeGridMap(const Floor& floor, double resolution) {
     for (std::size_t i = 1; i < wall.size(); ++i) painter.PaintLine({wall[i - 1], wall[i]});
   }
   for (const FloorBox& box : floor.furniture) painter.PaintOutline(box.shape);
+  if (const auto landmark = LandmarkOf(floor)) {
+    for (const Segment& side : SidesOf(*landmark)) painter.PaintLine(side);
+  }
   painter.FillFree(floor.docked.position());
   for (const Door& door : floor.doors) {
     if (const auto leaf = DoorLeaf(door, door.open)) painter.PaintLine(*leaf);

@@ -153,6 +153,10 @@ coppice_msgs::SimulatedWorld ToMessage(const World& world) {
   }
   message.door_open = ToBytes(world.door_open());
   message.place_blocked = ToBytes(world.place_blocked());
+  message.station_moved.x = world.station_moved().x;
+  message.station_moved.y = world.station_moved().y;
+  message.station_moved.theta = world.station_moved().yaw;
+  message.landmark = world.landmark().has_value();
   return message;
 }
 

@@ -7,11 +7,13 @@ namespace {
 
 constexpr double kDockTolerance = 0.03;                // m
 constexpr double kDockAngleTolerance = 3 * kPi / 180;  // rad
-constexpr double kClearance = 0.05;      // kept between a new thing and who stands there, m
-constexpr double kMaxStationOffset = 1;  // m
-constexpr double kLargestFloor = 1000;   // m
-constexpr double kSonarPeriod = 0.1;     // s
-constexpr double kTimeSlack = 1e-9;      // s; time is a sum of steps
+constexpr double kClearance = 0.05;          // kept between a new thing and who stands there, m
+constexpr double kMaxStationOffset = 1;      // m
+constexpr double kMaxStationTurn = kPi / 4;  // rad
+constexpr double kLandmarkFromWall = 0.02;   // m
+constexpr double kLargestFloor = 1000;       // m
+constexpr double kSonarPeriod = 0.1;         // s
+constexpr double kTimeSlack = 1e-9;          // s; time is a sum of steps
 
 // Every sensor draws its own noise, so that one more beam does not change the odometry.
 std::uint64_t SeedOf(std::uint64_t seed, std::uint64_t sensor) { return seed * 16 + sensor; }
@@ -71,6 +73,7 @@ World::World(const Floor& floor, const WorldOptions& options)
   for (std::size_t i = 0; i < kSonars.size(); ++i) {
     sonars_.emplace_back(options.sonars[i], SeedOf(options.seed, 5 + i));
   }
+  bodies_.SetLandmark(landmark());
   Rebuild();
   ReadSensors();
 }
@@ -142,18 +145,20 @@ void World::ReadSonars() {
   }
 }
 
-// base_link when the contacts touch, where they are now.
-Pose2 World::station() const { return Compose(floor_.docked, {0, station_offset_, 0}); }
+std::optional<Triangle> World::landmark() const {
+  return landmark_there_ ? LandmarkOf(floor_, station_moved_) : std::nullopt;
+}
 
 bool World::docked() const {
-  const Pose2 off = Compose(Inverse(station()), robot());
+  const Pose2 contacts = Compose(station(), {0, contacts_offset_, 0});
+  const Pose2 off = Compose(Inverse(contacts), robot());
   return Length(off.position()) <= kDockTolerance && std::abs(off.yaw) <= kDockAngleTolerance;
 }
 
 Pose2 World::OdomInMap() const { return Compose(robot(), Inverse(odometry_.pose())); }
 
 void World::Rebuild() {
-  scene_ = Scene(MakeStillScene(floor_, door_open_, place_blocked_));
+  scene_ = Scene(MakeStillScene(floor_, door_open_, place_blocked_, landmark()));
   visible_ = RayCaster(EdgesFrom(lidar_.options().height, still()));
   audible_ = Scene(WithGlass(still(), floor_));
   solid_ = RayCaster(EdgesFrom(0, audible_.still()));
@@ -236,12 +241,55 @@ Change World::Kidnap(const Pose2& pose) {
   return "the robot was put elsewhere";
 }
 
-Change World::SetStationOffset(double offset) {
-  if (!(std::abs(offset) <= kMaxStationOffset)) {
-    return Problem{"the station can be moved by 1 m at most"};
+// Who or what would be in the way of a landmark there; empty if nothing. A wall is if a robot that
+// is docked at `docked` would see it before a corner of the landmark.
+std::string World::WhatIsNear(const Triangle& landmark, Vec2 docked) const {
+  for (const auto& wall : floor_.walls) {
+    for (std::size_t i = 1; i < wall.size(); ++i) {
+      for (const Vec2& corner : landmark) {
+        const double reach = Length(corner - docked) + kLandmarkFromWall;
+        const Vec2 way = (corner - docked) * (1 / Length(corner - docked));
+        if (CastAtSegment({wall[i - 1], wall[i]}, docked, way, reach) < reach) return "a wall";
+      }
+    }
   }
-  station_offset_ = offset;
-  return "the station is " + std::to_string(std::lround(offset * 1000)) + " mm aside";
+  const auto sides = SidesOf(landmark);
+  return WhoStandsNear([&](Vec2 point) {
+    return std::min(
+        {Distance(point, sides[0]), Distance(point, sides[1]), Distance(point, sides[2])});
+  });
+}
+
+Change World::MoveStation(const Pose2& moved) {
+  if (!(std::hypot(moved.x, moved.y) <= kMaxStationOffset &&
+        std::abs(moved.yaw) <= kMaxStationTurn)) {
+    return Problem{"the station can be moved by 1 m and 45 degrees at most"};
+  }
+  if (const auto landmark = LandmarkOf(floor_, moved)) {
+    const std::string what = WhatIsNear(*landmark, Compose(floor_.docked, moved).position());
+    if (!what.empty()) return Problem{"cannot move the station: " + what + " is in the way"};
+  }
+  station_moved_ = moved;
+  bodies_.SetLandmark(landmark());
+  Rebuild();
+  return "the station is " + std::to_string(std::lround(moved.x * 1000)) + " mm on, " +
+         std::to_string(std::lround(moved.y * 1000)) + " mm to the left, turned by " +
+         std::to_string(std::lround(moved.yaw * 180 / kPi)) + " degrees";
+}
+
+Change World::SetContactsOffset(double offset) {
+  if (!(std::abs(offset) <= kMaxStationOffset)) {
+    return Problem{"the contacts can be moved by 1 m at most"};
+  }
+  contacts_offset_ = offset;
+  return "the contacts are " + std::to_string(std::lround(offset * 1000)) + " mm aside";
+}
+
+Change World::SetLandmark(bool there) {
+  landmark_there_ = there;
+  bodies_.SetLandmark(landmark());
+  Rebuild();
+  return there ? "the landmark is there" : "the landmark is gone";
 }
 
 Change World::SetChargerOn(bool on) {

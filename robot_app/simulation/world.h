@@ -61,8 +61,13 @@ class World {
   double time() const { return time_; }            ///< s since the start
   Pose2 robot() const { return bodies_.robot(); }  ///< base_link in the map frame
   Velocity velocity() const { return bodies_.velocity(); }
-  bool touching() const { return bodies_.touching(); }  ///< the robot touches something
-  bool docked() const;                                  ///< the charging contacts touch
+  bool touching() const { return bodies_.touching(); }           ///< the robot touches something
+  bool docked() const;                                           ///< the charging contacts touch
+  const Pose2& station_moved() const { return station_moved_; }  ///< by MoveStation()
+  /// Where the landmark stands now, if there is one.
+  std::optional<Triangle> landmark() const;
+  /// base_link when docked according to the landmark.
+  Pose2 station() const { return Compose(floor_.docked, station_moved_); }
   bool charger_on() const { return charger_on_; }
   bool emergency_stop() const { return emergency_stop_; }
   bool protective_stop() const { return drive_.protective_stop(); }
@@ -74,7 +79,7 @@ class World {
   const std::vector<bool>& place_blocked() const {
     return place_blocked_;
   }  ///< in the floor's order
-  /// What stands still now: walls, furniture, the boxes of blocked places, door leaves.
+  /// What stands still now: walls, furniture, the boxes of blocked places, door leaves, the landmark.
   const StillScene& still() const { return scene_.still(); }
 
   // --- the sensors; each reading carries its time ---
@@ -100,9 +105,15 @@ class World {
   /// Lifts the robot and puts it down elsewhere. Its wheels do not turn, so odometry does not
   /// notice.
   Change Kidnap(const Pose2& pose);
-  /// Moves the charging contacts sideways, seen from a docked robot positive to its left [m]. What
-  /// the robot knows of its station stays where it was. 0: back in place.
-  Change SetStationOffset(double offset);
+  /// Moves the charging station with its landmark to where it stands `moved` away from its place on
+  /// the floor, as seen by a robot that is docked there (x into the station): at most 1 m and 45
+  /// degrees. What the robot knows of its station stays where it was. {}: back in place.
+  Change MoveStation(const Pose2& moved);
+  /// Bends the charging contacts sideways, away from where the landmark promises them, seen from a
+  /// docked robot positive to its left [m]. 0: straight.
+  Change SetContactsOffset(double offset);
+  /// Takes the station's landmark away, or puts it back.
+  Change SetLandmark(bool there);
   /// A charger that is off gives no current, though the contacts touch.
   Change SetChargerOn(bool on);
   /// Pressed, it takes the motors away; the computers run on.
@@ -114,7 +125,7 @@ class World {
   void ReadSensors();
   void ReadSonars();
   void Rebuild();
-  Pose2 station() const;
+  std::string WhatIsNear(const Triangle& landmark, Vec2 docked) const;
   bool CanStandAt(Vec2 point) const;
   template <typename DistanceTo>
   std::string WhoStandsNear(DistanceTo distance) const;
@@ -129,7 +140,9 @@ class World {
   People people_;
   Drive drive_;
   Battery battery_;
-  double station_offset_ = 0;
+  Pose2 station_moved_;
+  double contacts_offset_ = 0;
+  bool landmark_there_ = true;
   bool charger_on_ = true;
   bool emergency_stop_ = false;
   Lidar lidar_;

@@ -47,7 +47,7 @@ class DockingFaults : public testing::Test {
 std::unique_ptr<RobotRig> DockingFaults::rig_;
 
 TEST_F(DockingFaults, AStationThatWasMovedIsFoundByAnotherAttempt) {
-  FaultCase fault(*rig_, "docking miss", "the station stands 5 cm aside");
+  FaultCase fault(*rig_, "docking miss", "the contacts are bent 5 cm aside");
   ASSERT_TRUE(rig_->Inject("docking_offset", "", 0.05));
   // It has to drive there first; and an attempt lasts 40 s.
   fault.ExpectLevel("docking", "failures", HealthEntry::WARN, 120);

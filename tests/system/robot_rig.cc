@@ -90,8 +90,8 @@ void RobotRig::LayOutFolder() {
   fs::create_directory_symlink(kSource / "trees", folder_ / "trees");
   if (!options_.start.empty()) {
     Replace(config() / "robot.yaml", "\"_seed:=", "\"_start:=" + options_.start + "\", \"_seed:=");
-    Replace(config() / "robot.yaml", "\"_start_pose:=-2.4 0 3.14159\"",
-            "\"_start_pose:=" + options_.start + "\"");
+    Replace(config() / "robot.yaml", "\"${bin}/coppice-localization\"",
+            "\"${bin}/coppice-localization\", \"_start_pose:=" + options_.start + "\"");
   }
   // Others may use the cores.
   Replace(config() / "monitors.yaml", "load: {warn: [none, 0.9], error: [none, 0.97]",

@@ -1,5 +1,8 @@
 #include "robot_app/monitoring/power/power_fields.h"
 
+#include <filesystem>
+
+#include "robot_app/common/places/station_place.h"
 #include "robot_app/monitoring/gauges/band_fields.h"
 
 namespace coppice::robot::monitoring {
@@ -20,10 +23,30 @@ leaves::BatteryModel ReadModel(YamlFields& fields) {
   return model;
 }
 
+// That of a file of places, whose name is relative to the file that is read.
+Pose2D ReadStation(YamlFields& fields) {
+  const LocatedText places = fields.Text("places");
+  const auto file = std::filesystem::path(places.where.file).parent_path() / places.text;
+  Diagnostics problems;
+  const auto station = StationIn(file.string(), problems);
+  if (!station) {
+    fields.Error(places.where, problems.has_errors()
+                                   ? problems.ToString()
+                                   : file.string() + " has no place of the category \"station\"");
+  }
+  return station.value_or(Pose2D());
+}
+
 DockPlace ReadDock(YamlFields& fields) {
   DockPlace dock;
-  dock.x = fields.Number("x", 0, -1e6, 1e6);
-  dock.y = fields.Number("y", 0, -1e6, 1e6);
+  if (fields.Has("places")) {
+    const Pose2D station = ReadStation(fields);
+    dock.x = station.x;
+    dock.y = station.y;
+  } else {
+    dock.x = fields.Number("x", 0, -1e6, 1e6);
+    dock.y = fields.Number("y", 0, -1e6, 1e6);
+  }
   dock.map_frame = fields.Text("map_frame", dock.map_frame).text;
   dock.base_frame = fields.Text("base_frame", dock.base_frame).text;
   dock.way = fields.Has("way") ? ReadRosName(fields, "way") : "";

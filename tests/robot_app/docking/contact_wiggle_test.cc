@@ -8,6 +8,8 @@
 namespace coppice::robot::docking {
 namespace {
 
+constexpr Pose2D kDocked{-2.4, 0, M_PI};
+
 // An ideal robot on a station whose contacts touch only in a part of the way.
 class ContactWiggleTest : public testing::Test {
  protected:
@@ -15,20 +17,20 @@ class ContactWiggleTest : public testing::Test {
     wiggle_.Start(input_);
     for (const double stop = input_.now + 120; wiggle_.active() && input_.now < stop;) {
       input_.now += 0.05;
-      const double along = RelativeTo(station_.docked, input_.pose).x;
+      const double along = RelativeTo(kDocked, input_.pose).x;
       farthest_ = std::max(farthest_, std::abs(along));
       const bool contact = along >= from && along <= to;
       input_.current = contact && input_.now > dead_until_ ? 12 : -6;
       const Velocity2D velocity = wiggle_.Update(input_);
       const Pose2D next = Advance(input_.pose, velocity, 0.05);
-      if (RelativeTo(station_.docked, next).x < wall_) input_.pose = next;
+      if (RelativeTo(kDocked, next).x < wall_) input_.pose = next;
     }
     EXPECT_FALSE(wiggle_.active());
   }
 
-  DockSettings station_;
-  ContactWiggle wiggle_{station_};
-  DockInput input_{0, station_.docked, -6, true, false, false, {}};
+  ContactWiggle wiggle_;
+  DockInput input_{
+      0, kDocked, -6, true, false, false, {}, StationSighting{kDocked, 0, 10, 0.001, 0.001}, {}};
   double wall_ = 1;         // the station ends so far behind the docked pose [m]
   double dead_until_ = -1;  // no current before that time
   double farthest_ = 0;

@@ -26,7 +26,7 @@ struct Seen {
 Seen Look(double distance, double angle) {
   const simulation::Floor floor = navigation::InstituteFloor();
   const Pose2D landmark = LandmarkIn(floor);
-  StationScans scans(Hall(), 1, LandmarkEdges(floor));
+  StationScans scans(Hall());
   std::mt19937 random(7);
   std::uniform_real_distribution<double> turn(-0.8, 0.8);
   Seen seen;
@@ -76,8 +76,8 @@ TEST(Landmark, KnowsHowWellItMeasures) {
 }
 
 TEST(Landmark, IsFoundAlthoughSomebodyStandsBesideIt) {
-  const simulation::Floor floor = WithoutStation();
-  StationScans scans(floor, 1, LandmarkEdges(floor));
+  const simulation::Floor floor = navigation::InstituteFloor();
+  StationScans scans(floor);
   const Pose2D base{-0.8, 0, M_PI};
   int found = 0;
   for (int i = 0; i < 50; ++i) {
@@ -89,7 +89,8 @@ TEST(Landmark, IsFoundAlthoughSomebodyStandsBesideIt) {
 }
 
 TEST(Landmark, NothingElseOnTheFloorIsTakenForIt) {
-  const simulation::Floor floor = navigation::InstituteFloor();
+  simulation::Floor floor = navigation::InstituteFloor();
+  floor.landmark.reset();
   const auto poses = localization::RandomPoses(navigation::MapOf(floor), 1000, 3);
   StationScans scans(floor);
   for (const Pose2D& pose : poses) {
@@ -98,7 +99,8 @@ TEST(Landmark, NothingElseOnTheFloorIsTakenForIt) {
 }
 
 TEST(Landmark, NeitherPeopleNorTheirLegsNorFurnitureAreTakenForIt) {
-  const simulation::Floor floor = navigation::InstituteFloor();
+  simulation::Floor floor = navigation::InstituteFloor();
+  floor.landmark.reset();
   const auto poses = localization::RandomPoses(navigation::MapOf(floor), 1000, 4);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> away(0.6, 4), angle(-M_PI, M_PI), radius(0.05, 0.35),

@@ -2,8 +2,7 @@
 #ifndef COPPICE_TESTS_ROBOT_APP_DOCKING_STATION_SCANS_H_
 #define COPPICE_TESTS_ROBOT_APP_DOCKING_STATION_SCANS_H_
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "robot_app/docking/landmark.h"
@@ -39,10 +38,7 @@ class StationScans {
  private:
   static std::vector<simulation::Segment> Edges(const simulation::Floor& floor,
                                                 std::vector<simulation::Segment> edges) {
-    std::vector<bool> open;
-    for (const simulation::Door& door : floor.doors) open.push_back(door.open);
-    const std::vector<bool> blocked(floor.places.size(), false);
-    for (const auto& panel : simulation::MakeStillScene(floor, open, blocked).panels) {
+    for (const simulation::Panel& panel : simulation::MakeStillScene(floor).panels) {
       if (panel.top > simulation::LidarOptions().height) edges.push_back(panel.edge);
     }
     return edges;
@@ -52,19 +48,9 @@ class StationScans {
   simulation::Lidar lidar_;
 };
 
-/// The floor without the charging station.
-inline simulation::Floor WithoutStation() {
-  simulation::Floor floor = navigation::InstituteFloor();
-  auto& boxes = floor.furniture;
-  boxes.erase(std::remove_if(boxes.begin(), boxes.end(),
-                             [](const auto& box) { return box.name == "charging_station"; }),
-              boxes.end());
-  return floor;
-}
-
-/// A bare hall that has its wall behind the station, so that this can be looked at from the side.
+/// The station at the wall of a bare hall, so that it can be looked at from the side.
 inline simulation::Floor Hall() {
-  simulation::Floor floor = WithoutStation();
+  simulation::Floor floor = navigation::InstituteFloor();
   floor.walls = {{{-3, -8}, {-3, 8}, {8, 8}, {8, -8}, {-3, -8}}};
   floor.furniture.clear();
   floor.doors.clear();
@@ -72,19 +58,9 @@ inline simulation::Floor Hall() {
   return floor;
 }
 
-/// The pose of the landmark in the map, before the wall behind the floor's station.
+/// The pose of the floor's landmark in the map.
 inline Pose2D LandmarkIn(const simulation::Floor& floor) {
-  return LandmarkOf(LandmarkShape(), {floor.docked.x, floor.docked.y, floor.docked.yaw});
-}
-
-/// Its sides there.
-inline std::vector<simulation::Segment> LandmarkEdges(const simulation::Floor& floor) {
-  const LandmarkShape shape;
-  const Pose2D corner = LandmarkIn(floor);
-  const Point2D left = Compose(corner, Point2D{shape.depth(), shape.half_width()});
-  const Point2D right = Compose(corner, Point2D{shape.depth(), -shape.half_width()});
-  const simulation::Vec2 a{corner.x, corner.y}, b{left.x, left.y}, c{right.x, right.y};
-  return {{a, b}, {b, c}, {c, a}};
+  return LandmarkOf(floor.landmark->shape, {floor.docked.x, floor.docked.y, floor.docked.yaw});
 }
 
 /// base_link when its scanner is so far from the landmark [m], that far from its axis [rad], and

@@ -20,9 +20,9 @@ class StationTrackerTest : public testing::Test {
   }
   double Error() const { return Distance(tracker_.seen()->docked, station_); }
 
-  simulation::Floor floor_ = WithoutStation();
+  simulation::Floor floor_ = navigation::InstituteFloor();
   Pose2D station_{floor_.docked.x, floor_.docked.y, floor_.docked.yaw};
-  StationScans scans_{floor_, 1, LandmarkEdges(floor_)};
+  StationScans scans_{floor_};
   StationTracker tracker_;
   std::optional<Pose2D> expected_;
   int time_ = 0;

@@ -15,7 +15,10 @@ class LocalizedRobot {
  public:
   LocalizedRobot(const simulation::Floor& floor, const Pose2D& start, std::uint64_t seed,
                  LocalizerSettings settings = {})
-      : world_(floor, Options(start, seed)), localizer_(WithSeed(settings, seed)) {
+      : LocalizedRobot(floor, Options(start, seed), settings) {}
+  LocalizedRobot(const simulation::Floor& floor, const simulation::WorldOptions& options,
+                 LocalizerSettings settings = {})
+      : world_(floor, options), localizer_(WithSeed(settings, options.seed)) {
     localizer_.SetMap(navigation::MapOf(floor));
   }
 

@@ -17,9 +17,11 @@
 
 #include <atomic>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "robot_app/common/child_process.h"
@@ -114,11 +116,19 @@ struct Listener {
   ros::Subscriber path_subscriber;
 };
 
+// Opens and closes doors; a door that somebody stands in can not be closed until they are gone.
+bool InjectFault(const std::string& fault, const std::string& target) {
+  coppice_msgs::InjectFault call;
+  call.request.fault = fault;
+  call.request.target = target;
+  return ros::service::call("/simulation/inject_fault", call) && call.response.ok;
+}
+
 class NavigationNode : public testing::Test {
  protected:
   // A node's parameters outlive it.
   ~NavigationNode() override {
-    ros::param::del("/navigation/station");
+    ros::param::del("/navigation/places");
     ros::param::del("/simulator/floor");
   }
 
@@ -183,6 +193,29 @@ TEST_F(NavigationNode, LeavesTheStationDrivesToAGoalAndComesBack) {
 
   EXPECT_EQ(navigation_.Stop(std::chrono::seconds(5)), 0);
   EXPECT_EQ(docking.Stop(std::chrono::seconds(5)), 0);
+}
+
+TEST_F(NavigationNode, AStationThatWasMovedIsFoundAlsoAfterAKillInTheMidstOfDocking) {
+  StartRobot("-0.8 0 3.1416");
+  std::optional<ChildProcess> docking;
+  docking.emplace(std::vector<std::string>{kPrograms + "coppice-docking"}, Log("docking_killed"));
+  Listener listener;
+  ASSERT_TRUE(ros::service::waitForService("/simulation/inject_fault", ros::Duration(kPatience)));
+  ASSERT_TRUE(InjectFault("move_station", "-0.2 0.45 -0.35"));
+  coppice_msgs::DockingGoal goal;
+  goal.dock = true;
+  {
+    Client<coppice_msgs::DockingAction> dock("docking");
+    dock.Send(goal);
+    ASSERT_TRUE(Eventually([&] { return listener.speed > 0.05; }, kPatience));
+    kill(docking->pid(), SIGKILL);
+    ASSERT_TRUE(Eventually([&] { return !docking->IsRunning(); }, kPatience));
+  }
+  docking.emplace(std::vector<std::string>{kPrograms + "coppice-docking"}, Log("docking_anew"));
+  Client<coppice_msgs::DockingAction> dock("docking");
+  dock.Send(goal);
+  EXPECT_EQ(dock.Wait(), SimpleClientGoalState::SUCCEEDED) << dock->getState().getText();
+  EXPECT_THAT(dock->getResult()->message, HasSubstr("charging with"));
 }
 
 TEST_F(NavigationNode, AnswersLikeMoveBase) {
@@ -310,13 +343,21 @@ TEST_F(NavigationNode, DrivesAroundABoxThatOnlyTheSonarsHear) {
 
 using Way = Latest<std_msgs::Float64>;
 
+// The parameter that gives navigation a site with a station there.
+std::string Station(double x, double y) {
+  const std::string file = testing::TempDir() + std::to_string(getpid()) + "_places.yaml";
+  std::ofstream(file) << "places: [{name: station, categories: [station], x: " << x << ", y: " << y
+                      << ", yaw: 0}]\n";
+  return "_places:=" + file;
+}
+
 double LengthOf(const Way& way) {
   EXPECT_TRUE(Eventually([&] { return way.get() != nullptr; }, kPatience));
   return way.get() ? way.get()->data : NAN;
 }
 
 TEST_F(NavigationNode, TellsHowFarItIsToTheStationWhileItDrivesThere) {
-  StartRobot("4 0 0", {"_station:=-2.4 0"});
+  StartRobot("4 0 0", {Station(-2.4, 0)});
   ros::NodeHandle node;
   const Way way(node, "/navigation/way_to_station");
   EXPECT_NEAR(LengthOf(way), 6.4, 0.5);
@@ -328,7 +369,7 @@ TEST_F(NavigationNode, TellsHowFarItIsToTheStationWhileItDrivesThere) {
 }
 
 TEST_F(NavigationNode, TheWayToTheStationLeadsAroundWalls) {
-  StartRobot("24 3.6 0", {"_station:=32 3.6"});  // two offices side by side
+  StartRobot("24 3.6 0", {Station(32, 3.6)});  // two offices side by side
   ros::NodeHandle node;
   const Way way(node, "/navigation/way_to_station");
   const double length = LengthOf(way);
@@ -341,14 +382,6 @@ bool FindsAWay(double x, double y) {
   nav_msgs::GetPlan plan;
   plan.request.goal = Goal(x, y).target_pose;
   return ros::service::call("move_base/make_plan", plan) && !plan.response.plan.poses.empty();
-}
-
-// Opens and closes doors; a door that somebody stands in can not be closed until they are gone.
-bool InjectFault(const std::string& fault, const std::string& target) {
-  coppice_msgs::InjectFault call;
-  call.request.fault = fault;
-  call.request.target = target;
-  return ros::service::call("/simulation/inject_fault", call) && call.response.ok;
 }
 
 TEST_F(NavigationNode, TellsWhetherADoorIsOpenWithoutMoving) {
@@ -367,7 +400,7 @@ TEST_F(NavigationNode, TellsWhetherADoorIsOpenWithoutMoving) {
 
 TEST_F(NavigationNode, SaysNothingOfAWayWhereNoneLeadsToTheStation) {
   for (const std::vector<std::string>& station :
-       {std::vector<std::string>(), {"_station:=500 500"}}) {
+       {std::vector<std::string>(), {Station(500, 500)}}) {
     StartRobot("4 0 0", station);
     ros::NodeHandle node;
     const Way way(node, "/navigation/way_to_station");

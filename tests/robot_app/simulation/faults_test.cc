@@ -186,7 +186,7 @@ TEST_F(FaultsTest, AChargerThatIsOffGivesNoCurrentThoughTheRobotStandsInTheStati
   EXPECT_TRUE(world_.battery().charging());
 }
 
-TEST_F(FaultsTest, AStationThatWasMovedHasNoContactUntilItIsMovedBack) {
+TEST_F(FaultsTest, BentContactsDoNotTouchUntilTheyAreStraight) {
   EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0.05, 1}));
   EXPECT_FALSE(world_.docked());
   Pass(1.1);
@@ -196,6 +196,19 @@ TEST_F(FaultsTest, AStationThatWasMovedHasNoContactUntilItIsMovedBack) {
   EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0, 0}));
   EXPECT_TRUE(world_.docked());
   EXPECT_FALSE(faults_.Inject({"docking_offset", "", 5, 0}));
+}
+
+TEST_F(FaultsTest, MovesTheStationAndTakesItsLandmarkAway) {
+  EXPECT_TRUE(faults_.Inject({"move_station", "-0.1 0.3 0.1", 0, 0}));
+  EXPECT_FALSE(world_.docked());
+  EXPECT_NEAR(world_.station_moved().y, 0.3, 1e-12);
+  EXPECT_FALSE(faults_.Inject({"move_station", "aside", 0, 0}));
+  EXPECT_TRUE(faults_.Inject({"move_station", "0 0 0", 0, 0}));
+  EXPECT_TRUE(world_.docked());
+  EXPECT_TRUE(faults_.Inject({"take_landmark", "", 0, 1}));
+  EXPECT_FALSE(world_.landmark());
+  Pass(1.1);
+  EXPECT_TRUE(world_.landmark());
 }
 
 TEST_F(FaultsTest, AnEmergencyStopHoldsTheRobotForAWhile) {

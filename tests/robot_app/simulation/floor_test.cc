@@ -47,6 +47,34 @@ TEST(Floor, ReadsEveryKindOfThing) {
             "");
 }
 
+TEST(Floor, TheLandmarkOfTheInstituteIsTheOneThatTheRobotLooksFor) {
+  const Floor floor = LoadInstitute();
+  ASSERT_TRUE(floor.landmark);
+  EXPECT_DOUBLE_EQ(floor.landmark->shape.leg, LandmarkShape().leg);
+  EXPECT_DOUBLE_EQ(floor.landmark->shape.opening, LandmarkShape().opening);
+  EXPECT_DOUBLE_EQ(floor.landmark->shape.ahead, LandmarkShape().ahead);
+}
+
+TEST(Floor, TheCornerOfTheLandmarkPointsToTheDockedRobot) {
+  const Triangle triangle = LandmarkAt({0.5, kPi / 2, 0.4}, {1, 2, kPi / 2});
+  const double reach = 0.5 * std::sqrt(0.5);
+  EXPECT_NEAR(triangle[0].x, 1, 1e-12);
+  EXPECT_NEAR(triangle[0].y, 2.4, 1e-12);
+  EXPECT_NEAR(triangle[1].x, 1 - reach, 1e-12) << "left";
+  EXPECT_NEAR(triangle[1].y, 2.4 + reach, 1e-12);
+  EXPECT_NEAR(triangle[2].x, 1 + reach, 1e-12) << "right";
+}
+
+TEST(Floor, TellsWhatIsWrongWithALandmark) {
+  Diagnostics diagnostics;
+  ParseFloor(std::string(kSmall) +
+                 "charging_station: {docked: [0, 0, 0], staging: [1, 0, 0], landmark: "
+                 "{leg: 0.3, opening: 4, height: 1}}",
+             "f.yaml", diagnostics);
+  EXPECT_THAT(diagnostics.ToString(), HasSubstr("opening must be less than pi"));
+  EXPECT_THAT(diagnostics.ToString(), HasSubstr("\"ahead\" is missing"));
+}
+
 TEST(Floor, TellsTheLineOfAMistake) {
   EXPECT_THAT(ErrorsOf("places: [{name: p, at: [1, x], size: [1, 2], height: 1}]"),
               HasSubstr("f.yaml:4:28: error: place: at: expected a number"));

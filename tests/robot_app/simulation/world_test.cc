@@ -150,6 +150,51 @@ TEST(World, DrivesIntoItsDockAndCharges) {
   EXPECT_FALSE(world.battery().charging());
 }
 
+// Where the middle beam of the laser ends, from x on the axis of the station.
+double SeenBefore(World& world) {
+  world.Step(0.2);
+  return world.scan().ranges[world.scan().ranges.size() / 2] + world.lidar().options().mounting.x;
+}
+
+TEST(World, TheLaserSeesTheLandmarkAndItsStationMovesWithIt) {
+  World world(LoadInstitute(), At(-0.8, 0, kPi));
+  const double ahead = LandmarkShape().ahead;
+  EXPECT_NEAR(SeenBefore(world), 1.6 + ahead, 0.04);
+  ASSERT_TRUE(world.MoveStation({-0.3, 0, 0})) << "towards the robot";
+  EXPECT_NEAR(SeenBefore(world), 1.3 + ahead, 0.04);
+  ASSERT_TRUE(world.Kidnap({-2.1, 0, kPi}));
+  world.Step(kDt);
+  EXPECT_TRUE(world.docked());
+  ASSERT_TRUE(world.MoveStation({-0.2, 0.45, 0.35}));
+  EXPECT_FALSE(world.docked());
+  ASSERT_TRUE(world.Kidnap(world.station()));
+  world.Step(kDt);
+  EXPECT_TRUE(world.docked());
+}
+
+TEST(World, AStationWithoutItsLandmarkShowsTheWall) {
+  World world(LoadInstitute(), At(-0.8, 0, kPi));
+  ASSERT_TRUE(world.SetLandmark(false));
+  EXPECT_NEAR(SeenBefore(world), 2.2, 0.04);
+  ASSERT_TRUE(world.SetLandmark(true));
+  EXPECT_NEAR(SeenBefore(world), 1.6 + LandmarkShape().ahead, 0.04);
+}
+
+TEST(World, TheLandmarkStopsTheRobot) {
+  World world(LoadInstitute(), At(-2.2, 0, kPi));
+  Drive(world, {0.2, 0}, 5);
+  EXPECT_GT(world.robot().x, -2.4 - LandmarkShape().ahead + kRobotRadius);
+}
+
+TEST(World, AStationIsNotMovedIntoAWallOrTheRobot) {
+  World world(LoadInstitute(), At(-1.9, 0, kPi));
+  EXPECT_THAT(world.MoveStation({0.2, 0, 0}).problem(), testing::HasSubstr("a wall"));
+  EXPECT_THAT(world.MoveStation({-0.1, 0.95, 0}).problem(), testing::HasSubstr("a wall"));
+  EXPECT_THAT(world.MoveStation({-0.58, 0, 0}).problem(), testing::HasSubstr("the robot"));
+  EXPECT_THAT(world.MoveStation({0, 0, 1}).problem(), testing::HasSubstr("45 degrees"));
+  EXPECT_EQ(world.station_moved().x, 0);
+}
+
 TEST(World, AnEmptyBatteryStopsTheRobot) {
   World world(MakeRoom(), At(5, 0, 0));
   EXPECT_TRUE(world.SetStateOfCharge(0));

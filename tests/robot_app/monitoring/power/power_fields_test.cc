@@ -4,6 +4,7 @@
 
 #include "robot_app/monitoring/gauges/band_fields.h"
 #include "tests/robot_app/monitoring/fields_fixture.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot::monitoring {
 namespace {
@@ -42,6 +43,22 @@ dock: {x: -2.4, y: 1, base_frame: base, detour: 2})");
   EXPECT_EQ(watch.dock->map_frame, "map");
   EXPECT_EQ(watch.dock->base_frame, "base");
   EXPECT_EQ(watch.dock->detour, 2);
+}
+
+TEST_F(PowerFieldsTest, TheDockIsTheStationOfTheFileOfPlaces) {
+  const std::string places = SourceFolder() + "/robot_app/config/places.yaml";
+  YamlFields fields = Open("{topic: /battery_state, node: /base, dock: {places: " + places + "}}");
+  const BatteryLimits watch = ReadBatteryLimits(fields);
+  EXPECT_EQ(Errors(), "");
+  ASSERT_TRUE(watch.dock);
+  EXPECT_EQ(watch.dock->x, -2.4);
+  EXPECT_EQ(watch.dock->y, 0);
+}
+
+TEST_F(PowerFieldsTest, AFileOfPlacesThatIsMissingIsAnError) {
+  YamlFields fields = Open("{topic: /battery_state, node: /base, dock: {places: nowhere.yaml}}");
+  ReadBatteryLimits(fields);
+  EXPECT_THAT(Errors(), HasSubstr("nowhere.yaml"));
 }
 
 TEST_F(PowerFieldsTest, AWayThatIsShorterThanTheStraightLineIsAnError) {

@@ -30,10 +30,7 @@ constexpr double kTall = 1.7;
 // In a corridor of the institute: people who stand so far before the camera and look at it.
 struct Corridor {
   Corridor() : floor(*simulation::FindFloor(simulation::kInstitute)) {
-    std::vector<bool> doors;
-    for (const auto& door : floor.doors) doors.push_back(door.open);
-    scene = simulation::Scene(
-        simulation::MakeStillScene(floor, doors, std::vector<bool>(floor.places.size(), false)));
+    scene = simulation::Scene(simulation::MakeStillScene(floor));
   }
 
   Picture With(double distance, std::uint64_t look) const {

@@ -156,9 +156,7 @@ TEST(RgbdCameraInTheInstitute, SeesACorridorWithPeopleAtAllDistances) {
   const auto floor =
       LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
   ASSERT_TRUE(floor) << diagnostics.ToString();
-  std::vector<bool> doors;
-  for (const Door& door : floor->doors) doors.push_back(door.open);
-  const Scene scene(MakeStillScene(*floor, doors, std::vector<bool>(floor->places.size())));
+  const Scene scene(MakeStillScene(*floor));
   std::vector<SeenPerson> people(4);
   const std::array<Vec2, 4> places = {{{12.6, 0.75}, {14.2, -0.7}, {15.5, 0.3}, {19, -0.4}}};
   for (std::size_t i = 0; i < people.size(); ++i) {

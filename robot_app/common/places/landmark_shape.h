@@ -1,5 +1,5 @@
-// The landmark of the charging station: what is built there, and what the robot looks for in its
-// scans.
+// The landmark of the charging station: what is built there, what the simulation raises, and what
+// the robot looks for in its scans.
 //
 // A triangular prism on the floor, seen from above:
 //
@@ -12,8 +12,8 @@
 //
 // Its corner points to the robot, its two legs are what the laser sees. 150 degrees are an angle that
 // no room has: walls and furniture meet at right angles, and people are rounder.
-#ifndef COPPICE_ROBOT_APP_DOCKING_LANDMARK_SHAPE_H_
-#define COPPICE_ROBOT_APP_DOCKING_LANDMARK_SHAPE_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_PLACES_LANDMARK_SHAPE_H_
+#define COPPICE_ROBOT_APP_COMMON_PLACES_LANDMARK_SHAPE_H_
 
 #include <cmath>
 
@@ -31,4 +31,4 @@ struct LandmarkShape {
 
 }  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_DOCKING_LANDMARK_SHAPE_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_PLACES_LANDMARK_SHAPE_H_

@@ -1,0 +1,33 @@
+#include "robot_app/common/places/station_place.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/folders.h"
+
+namespace coppice::robot {
+namespace {
+
+const std::string kPlaces = SourceFolder() + "/robot_app/config/places.yaml";
+
+TEST(StationPlace, IsThePlaceOfTheCategoryStation) {
+  std::optional<Pose2D> station;
+  ASSERT_TRUE(ReadStation(kPlaces, station));
+  ASSERT_TRUE(station);
+  EXPECT_EQ(station->x, -2.4);
+  EXPECT_NEAR(station->yaw, 3.1416, 1e-3);
+}
+
+TEST(StationPlace, WithoutAFileItStaysAsItIs) {
+  std::optional<Pose2D> station = Pose2D{1, 2, 3};
+  ASSERT_TRUE(ReadStation("none", station));
+  EXPECT_EQ(station->x, 1);
+}
+
+TEST(StationPlace, AFileThatIsMissingIsAnError) {
+  std::optional<Pose2D> station;
+  EXPECT_FALSE(ReadStation("/nowhere/places.yaml", station));
+  EXPECT_FALSE(station);
+}
+
+}  // namespace
+}  // namespace coppice::robot
