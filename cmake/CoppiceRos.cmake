@@ -7,6 +7,17 @@ target_link_libraries(ros1 INTERFACE
   roscpp roscpp_serialization rosconsole rostime xmlrpcpp actionlib tf2_ros tf2
   boost_thread boost_chrono boost_filesystem boost_system Threads::Threads)
 
+# Bags. Debian's header of them includes that of plugins, which is packed for ROS 2, each package in
+# a folder of its own.
+add_library(ros1_bag INTERFACE)
+target_link_libraries(ros1_bag INTERFACE ros1 rosbag_storage cpp_common console_bridge)
+foreach(header pluginlib/class_loader.hpp class_loader/class_loader.hpp rcpputils/shared_library.hpp
+        rcutils/allocator.h ament_index_cpp/get_resource.hpp)
+  get_filename_component(package ${header} DIRECTORY)
+  find_path(COPPICE_${package}_FOLDER ${header} PATH_SUFFIXES ${package} REQUIRED)
+  target_include_directories(ros1_bag SYSTEM INTERFACE ${COPPICE_${package}_FOLDER})
+endforeach()
+
 set(COPPICE_PYTHON /usr/bin/python3)
 set(COPPICE_GENCPP /usr/lib/gencpp/gen_cpp.py)
 set(COPPICE_GENACTION /usr/lib/actionlib_msgs/genaction.py)

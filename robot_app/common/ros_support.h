@@ -20,7 +20,7 @@
 #include "robot_app/common/occupancy_grid.h"
 #include "robot_app/common/parameters.h"
 #include "robot_app/common/range_reading.h"
-#include "robot_app/common/transforms.h"
+#include "robot_app/common/transforms/transforms.h"
 
 namespace coppice::robot {
 

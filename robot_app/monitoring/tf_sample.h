@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "robot_app/common/transforms.h"
+#include "robot_app/common/transforms/transforms.h"
 #include "robot_app/monitoring/tf_monitor.h"
 
 namespace coppice::robot::monitoring {

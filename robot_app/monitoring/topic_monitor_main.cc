@@ -13,8 +13,8 @@
 #include <set>
 
 #include "robot_app/common/any_message.h"
-#include "robot_app/common/at_once_queue.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/transforms/at_once_queue.h"
 #include "robot_app/monitoring/aggregator/health_messages.h"
 #include "robot_app/monitoring/diagnostics_monitor.h"
 #include "robot_app/monitoring/logger_monitor.h"

@@ -11,7 +11,7 @@
 #include "bt_core/base/clock.h"
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/people/people_view.h"
-#include "robot_app/common/transforms.h"
+#include "robot_app/common/transforms/transforms.h"
 
 namespace coppice::robot::adapters {
 

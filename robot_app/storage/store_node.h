@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "robot_app/common/at_once_queue.h"
+#include "robot_app/common/transforms/at_once_queue.h"
 #include "robot_app/storage/config/store_config.h"
 #include "robot_app/storage/server/shipper.h"
 #include "robot_app/storage/spool/intake.h"

@@ -8,10 +8,12 @@
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "robot_app/common/ros_support.h"
 #include "robot_app/perception/people/people_follower.h"
 #include "robot_app/perception/people/people_messages.h"
+#include "robot_app/perception/people/record_command.h"
 
 namespace coppice::robot::perception {
 namespace {
@@ -20,7 +22,8 @@ constexpr char kHelp[] =
     "coppice-people: finds people in clouds of the 3-D lidar, joins them with those whom\n"
     "coppice-camera sees in pictures, and follows them, as the ROS node /people_tracker.\n"
     "  subscribes  /velodyne_points /people/sightings /tf /tf_static (of the lidar)\n"
-    "  publishes   /people (coppice_msgs/People), /people/markers (for RViz), /diagnostics\n";
+    "  publishes   /people (coppice_msgs/People), /people/markers (for RViz), /diagnostics\n"
+    "coppice-people --offline FILE.bag: who was there in a record; --offline --help says more.\n";
 
 constexpr double kStatePeriod = 1;  // wall time [s]
 constexpr double kSilence = 2;      // without a cloud: an error; wall time [s]
@@ -156,5 +159,7 @@ int Run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace coppice::robot::perception;  // NOLINT: the whole program
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (IsAboutRecord(arguments)) return LookIntoRecord(arguments, COPPICE_CLASSIFIER);
   return coppice::robot::RunNode<Settings>(argc, argv, "people_tracker", kHelp, Run);
 }

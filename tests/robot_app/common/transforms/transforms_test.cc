@@ -1,4 +1,4 @@
-#include "robot_app/common/transforms.h"
+#include "robot_app/common/transforms/transforms.h"
 
 #include <gtest/gtest.h>
 #include <ros/publisher.h>

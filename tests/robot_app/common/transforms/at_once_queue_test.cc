@@ -1,4 +1,4 @@
-#include "robot_app/common/at_once_queue.h"
+#include "robot_app/common/transforms/at_once_queue.h"
 
 #include <gtest/gtest.h>
 

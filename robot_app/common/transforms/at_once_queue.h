@@ -6,8 +6,8 @@
 //
 // A handler must not (un)subscribe, and who (un)subscribes must not hold what a handler waits for:
 // roscpp keeps a lock of the subscription meanwhile. The queue lives longer than its subscribers.
-#ifndef COPPICE_ROBOT_APP_COMMON_AT_ONCE_QUEUE_H_
-#define COPPICE_ROBOT_APP_COMMON_AT_ONCE_QUEUE_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_TRANSFORMS_AT_ONCE_QUEUE_H_
+#define COPPICE_ROBOT_APP_COMMON_TRANSFORMS_AT_ONCE_QUEUE_H_
 
 #include <ros/callback_queue_interface.h>
 
@@ -23,4 +23,4 @@ class AtOnceQueue : public ros::CallbackQueueInterface {
 
 }  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_COMMON_AT_ONCE_QUEUE_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_TRANSFORMS_AT_ONCE_QUEUE_H_
