@@ -21,6 +21,7 @@
 #include "robot_app/common/service_call.h"
 #include "robot_app/common/service_caller.h"
 #include "robot_app/common/web/call_server.h"
+#include "robot_app/knowledge/import/fill_database.h"
 #include "robot_app/tablet/tablet_desk.h"
 
 namespace coppice::robot::tablet {
@@ -39,6 +40,7 @@ const Command& TabletCommand() {
       "  publishes   /speech/answer /tablet/touched /expression\n"
       "  calls       /speech/listen (std_srvs/SetBool) while somebody holds the button to talk",
       {CommandOption::Text("--knowledge", "DB", "what coppice-knowledge has imported").Needed(),
+       CommandOption::Text("--site", "FOLDER", "a folder, or sample: fills DB if it is empty"),
        CommandOption::Text("--places", "FILE", "the places and the ways between them").Needed(),
        CommandOption::Text("--address", "ADDRESS", "to listen on; else 127.0.0.1"),
        CommandOption::Whole("--port", "N", 0, 65535, "of the page, 0 = a free one; else 8091"),
@@ -150,6 +152,8 @@ class TabletNode {
 
 // Throws if a file cannot be read; what is wrong with it was told.
 std::unique_ptr<TabletDesk> OpenDesk(const Options& options, TabletLinks& links) {
+  const Outcome filled = knowledge::FillIfEmpty(options.Get("--knowledge"), options.Get("--site"));
+  if (!filled) throw std::runtime_error(filled.problem());
   Diagnostics diagnostics;
   auto dialogue =
       knowledge::Dialogue::Open(options.Get("--knowledge"), COPPICE_LANGUAGE_FOLDER, diagnostics);

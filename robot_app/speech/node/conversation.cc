@@ -1,25 +1,11 @@
 #include "robot_app/speech/node/conversation.h"
 
-#include <filesystem>
-
-#include "robot_app/knowledge/import/read_campus.h"
-#include "robot_app/knowledge/store/queries.h"
-#include "robot_app/knowledge/store/write_campus.h"
+#include "robot_app/knowledge/import/fill_database.h"
 
 namespace coppice::robot::speech {
 namespace {
 
 constexpr std::chrono::seconds kSilence{60};  // then the next one is somebody else
-
-Outcome Import(const std::string& path, const std::string& site) {
-  auto database = knowledge::Database::OpenOrCreate(path);
-  if (!database) return Problem{database.problem()};
-  if (site.empty() || knowledge::FindSite(*database)) return {};
-  Diagnostics diagnostics;
-  const knowledge::Campus campus = knowledge::ReadCampus(site, diagnostics);
-  if (diagnostics.has_errors()) return Problem{diagnostics.ToString()};
-  return knowledge::WriteCampus(*database, campus);
-}
 
 std::uint8_t MoodOf(knowledge::AnswerMood mood) {
   switch (mood) {
@@ -38,7 +24,7 @@ std::uint8_t MoodOf(knowledge::AnswerMood mood) {
 Expected<std::unique_ptr<Conversation>> Conversation::Open(const std::string& database,
                                                            const std::string& site,
                                                            const std::string& language_folder) {
-  const Outcome imported = Import(database, site);
+  const Outcome imported = knowledge::FillIfEmpty(database, site);
   if (!imported) return Problem{imported.problem()};
   Diagnostics diagnostics;
   auto dialogue = knowledge::Dialogue::Open(database, language_folder, diagnostics);

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "bt_core/base/outcome.h"
 #include "robot_app/knowledge/answers/dialogue.h"
@@ -15,7 +16,7 @@ namespace coppice::robot::speech {
 
 class Conversation {
  public:
-  /// Makes the database from the files of `site` if it is not there yet.
+  /// Fills the database from the files of `site` if it is empty (fill_database.h).
   static Expected<std::unique_ptr<Conversation>> Open(const std::string& database,
                                                       const std::string& site,
                                                       const std::string& language_folder);
@@ -23,6 +24,9 @@ class Conversation {
   /// `heard.language` may be empty: the one that is spoken now. Of an empty text the answer is that
   /// nothing was understood.
   coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard, WallTime now);
+
+  /// From where the robot is; without it as the crow flies from its home.
+  void set_way(knowledge::WayTo way) { dialogue_->set_way(std::move(way)); }
 
   /// The one that is spoken now.
   knowledge::Language language() const { return dialogue_->language(); }

@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 
+#include "robot_app/knowledge/answers/real_way.h"
 #include "robot_app/speech/node/spinner_task.h"
 #include "robot_app/speech/sound/wav_file.h"
 
@@ -37,6 +38,12 @@ Expected<std::unique_ptr<SpeechNode>> SpeechNode::Make(SpeechSettings settings) 
     if (!opened) return Problem{opened.problem()};
     parts.conversation = *std::move(opened);
   }
+  if (!settings.places.empty()) {
+    Diagnostics diagnostics;
+    auto map = TopologicalMap::Load(settings.places, diagnostics);
+    if (!map) return Problem{diagnostics.ToString()};
+    parts.guide = std::make_unique<RouteGuide>(*std::move(map));
+  }
   std::unique_ptr<SpeechNode> node(
       new SpeechNode(std::move(settings), std::move(clock), std::move(parts)));
   node->Serve();
@@ -47,6 +54,7 @@ SpeechNode::SpeechNode(SpeechSettings settings, std::unique_ptr<RosClock> clock,
     : settings_(std::move(settings)),
       clock_(std::move(clock)),
       parts_(std::move(parts)),
+      pose_(parts_.guide ? std::optional<RobotPose>(std::in_place, Frames()) : std::nullopt),
       voices_(settings_.voices, Warn),
       mouth_(
           node_,
@@ -111,6 +119,8 @@ void SpeechNode::OnHeard(const HeardUtterance& utterance) {
 
 coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard, bool aloud) {
   heard_.publish(heard);
+  const auto newest = pose_ ? pose_->Newest() : std::nullopt;
+  if (newest) parts_.conversation->set_way(knowledge::RealWay(*parts_.guide, newest->pose));
   coppice_msgs::Answer answer = parts_.conversation->Answer(heard, WallNow());
   answer.header.stamp = ros::Time::now();
   answer_.publish(answer);

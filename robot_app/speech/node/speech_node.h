@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/places/route_guide.h"
 #include "robot_app/common/ros_clock.h"
+#include "robot_app/common/ros_support.h"
 #include "robot_app/speech/ear/microphone.h"
 #include "robot_app/speech/node/conversation.h"
 #include "robot_app/speech/node/speak_server.h"
@@ -30,6 +32,7 @@ class SpeechNode {
   struct Parts {
     std::unique_ptr<SoundOutput> output;
     std::unique_ptr<Conversation> conversation;  // null: it only speaks
+    std::unique_ptr<RouteGuide> guide;           // null: nearest is as the crow flies
     std::string device;                          // of the microphone; empty: none
   };
   SpeechNode(SpeechSettings settings, std::unique_ptr<RosClock> clock, Parts parts);
@@ -52,6 +55,7 @@ class SpeechNode {
   ros::NodeHandle node_;
   const std::unique_ptr<RosClock> clock_;
   const Parts parts_;
+  const std::optional<RobotPose> pose_;  // if there is a guide
   Voices voices_;
   SpeakServer mouth_;
   Ear ear_;

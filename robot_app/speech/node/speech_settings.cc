@@ -26,6 +26,7 @@ Parameters ParametersOf(SpeechSettings& settings) {
   ActivitySettings& activity = settings.ear.activity;
   return {{"knowledge", &settings.knowledge, "database of what it knows; none: only speaks"},
           {"site", &settings.site, "a folder, or sample: fills it if it is empty"},
+          {"places", &settings.places, "of the ways to what is nearest; none: beelines"},
           {"output", &settings.output, "alsa:DEVICE, folder:PATH (WAV files), or none"},
           {"microphone", &settings.microphone, "alsa:DEVICE or none"},
           {"push_to_talk", &settings.push_to_talk, "hears only while /speech/listen says so"},
@@ -49,7 +50,6 @@ void Complete(SpeechSettings& settings) {
   const auto timeout = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::duration<double>(settings.service_timeout));
   settings.voices.service.timeout = settings.transcription.timeout = timeout;
-  if (settings.site == "sample") settings.site = COPPICE_SAMPLE_FOLDER;
   settings.voices.service.key = Secret("COPPICE_SPEECH_KEY");
   settings.transcription.key = Secret("COPPICE_TRANSCRIPTION_KEY");
 }

@@ -17,6 +17,7 @@ namespace coppice::robot::speech {
 struct SpeechSettings {
   std::string knowledge;  ///< the database; empty: the robot speaks and answers nothing
   std::string site;
+  std::string places;
   std::string output = "none";
   std::string microphone = "none";
   bool push_to_talk = false;

@@ -3,6 +3,7 @@
 #define COPPICE_TESTS_ROBOT_APP_LOCALIZATION_LOCALIZED_ROBOT_H_
 
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "robot_app/localization/localizer.h"
@@ -28,6 +29,9 @@ class LocalizedRobot {
     while (!world_.Kidnap({pose.x, pose.y, pose.yaw})) Step({});
   }
 
+  /// What is taken for the scan; else ScanOf(world).
+  void SetLook(navigation::Look look) { look_ = std::move(look); }
+
   void RestartOdometry() { filter_ = OdometryFilter(); }
 
   void Step(const Velocity2D& command) {
@@ -42,7 +46,7 @@ class LocalizedRobot {
     if (filter_.started()) localizer_.AddOdometry(filter_.stamp(), filter_.pose());
     if (world_.scan().time == scan_time_) return;
     scan_time_ = world_.scan().time;
-    localizer_.AddScan(navigation::ScanOf(world_));
+    localizer_.AddScan(look_(world_));
   }
 
   /// Constant speed for a while. Returns the seconds until `done` first came true, or -1.
@@ -86,6 +90,7 @@ class LocalizedRobot {
   }
 
   simulation::World world_;
+  navigation::Look look_ = navigation::ScanOf;
   double scan_time_ = -1;
   double wheels_time_ = -1;
   OdometryFilter filter_;

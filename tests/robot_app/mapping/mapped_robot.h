@@ -4,6 +4,7 @@
 #define COPPICE_TESTS_ROBOT_APP_MAPPING_MAPPED_ROBOT_H_
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "robot_app/localization/odometry_filter.h"
@@ -48,9 +49,12 @@ class MappedRobot {
     if (filter_.started()) AddOdometry();
     if (world_.scan().time == scan_time_) return;
     scan_time_ = world_.scan().time;
-    mapper_.AddScan(navigation::ScanOf(world_));
+    mapper_.AddScan(look_(world_));
     if (mapper_.started()) farthest_off_ = std::max(farthest_off_, Error());
   }
+
+  /// What is taken for the scan; else ScanOf(world).
+  void SetLook(navigation::Look look) { look_ = std::move(look); }
 
   void Carry(const Pose2D& pose) {
     while (!world_.Kidnap({pose.x, pose.y, pose.yaw})) Step({});
@@ -94,6 +98,7 @@ class MappedRobot {
   }
 
   simulation::World world_;
+  navigation::Look look_ = navigation::ScanOf;
   BadOdometry bad_;
   localization::OdometryFilter filter_;
   Mapper mapper_;

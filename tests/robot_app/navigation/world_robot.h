@@ -3,6 +3,9 @@
 #define COPPICE_TESTS_ROBOT_APP_NAVIGATION_WORLD_ROBOT_H_
 
 #include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "robot_app/common/laser_scan.h"
@@ -44,6 +47,27 @@ inline LaserScan ScanOf(const simulation::World& world) {
   result.range_max = options.max_range;
   result.ranges = scan.ranges;
   return result;
+}
+
+/// How a test looks at the world.
+using Look = std::function<LaserScan(const simulation::World&)>;
+
+/// The same without the beams that end within 0.4 m of somebody's middle: no reading (REP-117).
+/// What a robot would see that knew where everybody is.
+inline LaserScan ScanWithoutPeople(const simulation::World& world) {
+  LaserScan scan = ScanOf(world);
+  const Pose2D scanner = Compose(PoseOf(world), scan.mount);
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    if (!scan.Hit(beam)) continue;
+    const double angle = scanner.yaw + scan.angle_min + scan.angle_increment * double(beam);
+    const double x = scanner.x + scan.ranges[beam] * std::cos(angle);
+    const double y = scanner.y + scan.ranges[beam] * std::sin(angle);
+    for (const simulation::Disc& person : world.people()) {
+      const double away = std::hypot(person.center.x - x, person.center.y - y);
+      if (away < 0.4) scan.ranges[beam] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  return scan;
 }
 
 /// What the sonars heard last, in the order of simulation::kSonars.
