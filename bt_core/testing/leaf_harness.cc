@@ -97,7 +97,7 @@ LeafHarness::LeafHarness(std::shared_ptr<const Registry> given, const std::strin
     if (!port.default_text) continue;
     Value value = GuessValue(*port.default_text);
     if (port.type && !value.Parse(*port.type, *port.default_text)) continue;
-    executor_->inbox()->Post(SlotOf(port.name, *value.type()), 0, std::move(value));
+    SetValue(port.name, std::move(value));
   }
 }
 
@@ -118,7 +118,11 @@ Status LeafHarness::TickUntilDone(Duration limit) {
   const auto deadline = std::chrono::steady_clock::now() + limit;
   Status status = Tick();
   while (status == Status::kRunning && std::chrono::steady_clock::now() < deadline) {
-    clock_->WaitUntil(next_tick(), executor_->wake_up());
+    if (next_tick() == kNever) {
+      executor_->wake_up().WaitFor(deadline - std::chrono::steady_clock::now());
+    } else {
+      clock_->WaitUntil(next_tick(), executor_->wake_up());
+    }
     status = Tick();
   }
   return status;
@@ -155,16 +159,35 @@ std::vector<std::string> LeafHarness::TakeChildEvents() {
   return std::exchange(children_->events, {});
 }
 
-SlotIndex LeafHarness::SlotOf(const std::string& port, const Type& type) const {
+SlotIndex LeafHarness::SlotOf(const std::string& port) const {
   const Layout& layout = executor_->program().layout;
   const SlotIndex slot = layout.Find(kMainScope, port);
-  if (slot == kNoSlot) throw std::invalid_argument("the node has no port \"" + port + "\"");
-  const Type* const expected = layout.slots[slot].type;
+  if (slot != kNoSlot) return slot;
+  std::vector<std::string> ports;
+  for (const SlotDefinition& known : layout.slots) ports.push_back(known.key);
+  throw std::invalid_argument("the node has no port \"" + port + "\" " + DidYouMean(port, ports));
+}
+
+SlotIndex LeafHarness::SlotOf(const std::string& port, const Type& type) const {
+  const Type* const expected = TypeOfPort(port);
   if (expected && expected != &type) {
     throw std::invalid_argument("port \"" + port + "\" is " + expected->name + ", not " +
                                 type.name);
   }
-  return slot;
+  return SlotOf(port);
+}
+
+void LeafHarness::SetValue(const std::string& port, Value value) {
+  const SlotIndex slot = SlotOf(port, *value.type());
+  executor_->inbox()->Post(slot, 0, std::move(value));
+}
+
+const Type* LeafHarness::TypeOfPort(const std::string& port) const {
+  return executor_->program().layout.slots[SlotOf(port)].type;
+}
+
+const Value& LeafHarness::ValueOf(const std::string& port) const {
+  return executor_->blackboard()[SlotOf(port)].value;
 }
 
 }  // namespace coppice

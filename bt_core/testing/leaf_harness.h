@@ -57,9 +57,10 @@ class LeafHarness {
   /// if there is no such port or it has another type.
   template <class T>
   void Set(const std::string& port, const T& value) {
-    Inbox& inbox = *executor_->inbox();
-    inbox.Post(SlotOf(port, TypeOf<T>()), 0, Value(value));
+    SetValue(port, Value(value));
   }
+  /// The same for a value whose type is known only when the program runs.
+  void SetValue(const std::string& port, Value value);
 
   /// What an output wrote. Throws std::out_of_range if nothing was written yet.
   template <class T>
@@ -69,6 +70,11 @@ class LeafHarness {
     return value.Get<T>();
   }
   bool WasWritten(const std::string& port) const;
+
+  /// Of a port whose type is known only when the program runs: the type, null if it takes any, and
+  /// the value, which may be empty. Throw std::invalid_argument if there is no such port.
+  const Type* TypeOfPort(const std::string& port) const;
+  const Value& ValueOf(const std::string& port) const;
 
   Status Tick();
   void Halt();
@@ -101,6 +107,7 @@ class LeafHarness {
  private:
   class MessageSink;
   struct Children;
+  SlotIndex SlotOf(const std::string& port) const;
   SlotIndex SlotOf(const std::string& port, const Type& type) const;
 
   std::unique_ptr<SimulatedClock> clock_;

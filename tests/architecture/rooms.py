@@ -133,6 +133,7 @@ FLOORS = {
 PROGRAMS = {
     "bt_core/cli": "`coppice cat, check, convert, live, migrate, nodes, record, replay, run, stats, test, "
                    "trace, upgrade`; `diff` and `export` are programs of the editor",
+    "bt_core/python": "`import coppice`: leaves, trees, tests and records in Python ([manual](python.md))",
     "robot_app/app": "`coppice-robot` (runs the trees) and `coppice-demo`",
     "editor/app": "`coppice-edit`, `coppice-diff`, `coppice-export`",
     "editor/web": "the editor as a web page",
@@ -159,6 +160,7 @@ FOREIGN = {  # name: (pattern, where at all, where in headers)
     "OpenCV and PCL": (r"(opencv2|pcl\w*|cv_bridge)/", ("robot_app",), ("robot_app",)),
     "Dear ImGui and GLFW": (r"(imgui|GLFW/|backends/imgui)", ("editor",), ("editor",)),
     "JSON": (r"nlohmann/json\.hpp", ("bt_core", "editor/live", "robot_app"), ("bt_core/compat",)),
+    "pybind11": (r"pybind11/", ("bt_core/python",), ("bt_core/python",)),
     "ZeroMQ": (r"zmq\.", (), ()),
     "Boost": (r"boost/", ("bt_core/live", "robot_app"), (
         "bt_core/live/discovery", "bt_core/live/web", "robot_app")),

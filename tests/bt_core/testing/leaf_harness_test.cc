@@ -1,5 +1,6 @@
 #include "bt_core/testing/leaf_harness.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -109,6 +110,38 @@ TEST(LeafHarness, WaitsForMessagesOfOtherThreads) {
   LeafHarness harness = LeafHarness::For<WaitForMessage>(&thread);
   EXPECT_EQ(harness.TickUntilDone(), Status::kSuccess);
   thread.join();
+}
+
+// Waits for what never comes.
+class WaitForever : public Action {
+ public:
+  static constexpr const char* kDescription = "Waits for ever.";
+  Status OnStart() override { return Status::kRunning; }
+  Status OnRunning() override { return Status::kRunning; }
+  void OnHalted() override {}
+};
+
+TEST(LeafHarness, GivesUpALeafThatNobodyWakes) {
+  LeafHarness harness = LeafHarness::For<WaitForever>();
+  EXPECT_EQ(harness.TickUntilDone(std::chrono::milliseconds(1)), Status::kRunning);
+}
+
+TEST(LeafHarness, ValuesOfATypeThatIsKnownLaterAreSetAndRead) {
+  LeafHarness harness = LeafHarness::For<Wait>();
+  EXPECT_EQ(harness.TypeOfPort("seconds"), &TypeOf<double>());
+  harness.SetValue("seconds", Value(3.0));
+  harness.TickUntilDone();
+  EXPECT_EQ(harness.ValueOf("waited").Get<double>(), 3.0);
+}
+
+TEST(LeafHarness, AMisspeltPortIsToldWithTheRightName) {
+  LeafHarness harness = LeafHarness::For<Wait>();
+  try {
+    harness.TypeOfPort("secnds");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("did you mean \"seconds\"?"));
+  }
 }
 
 // Needs two seconds to stop.

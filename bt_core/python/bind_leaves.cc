@@ -1,0 +1,102 @@
+// Node types: what Python tells of its leaves, and what a leaf sees of its tree.
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bt_core/engine/compile/models.h"
+#include "bt_core/engine/compile/schema.h"
+#include "bt_core/model/manifest.h"
+#include "bt_core/python/bind.h"
+#include "bt_core/python/leaf.h"
+#include "bt_core/python/values.h"
+
+namespace coppice::python {
+namespace {
+
+PortDirection DirectionFrom(const std::string& text) {
+  if (text == "input") return PortDirection::kInput;
+  return text == "output" ? PortDirection::kOutput : PortDirection::kInOut;
+}
+
+// (name, direction, type, description, required, (default,) or None)
+PortDeclaration DeclarationFrom(const py::tuple& told) {
+  PortDeclaration port;
+  port.name = told[0].cast<std::string>();
+  port.direction = DirectionFrom(told[1].cast<std::string>());
+  port.type = &TypeFromAnnotation(told[2]);
+  port.description = told[3].cast<std::string>();
+  port.required = told[4].cast<bool>();
+  if (!told[5].is_none()) {
+    const py::object value = told[5].cast<py::tuple>()[0];
+    port.default_text = FromPython(port.type, value).Print();
+  }
+  return port;
+}
+
+void AddLeaf(Registry& registry, const std::string& id, bool is_condition,
+             const std::string& description, const py::list& ports, py::object make) {
+  LeafClass added;
+  const NodeCategory category = is_condition ? NodeCategory::kCondition : NodeCategory::kAction;
+  added.manifest = {id, category, description, {}};
+  for (const py::handle port : ports) {
+    added.manifest.ports.push_back(DeclarationFrom(port.cast<py::tuple>()));
+  }
+  added.make = Object(std::move(make));
+  added.is_condition = is_condition;
+  AddLeafClass(registry, std::move(added));
+}
+
+void BindRegistry(py::module_& module) {
+  py::class_<Registry, std::shared_ptr<Registry>>(module, "Registry")
+      .def(py::init<>())
+      .def("add_leaf", &AddLeaf, py::arg("id"), py::arg("is_condition"), py::arg("description"),
+           py::arg("ports"), py::arg("make"))
+      .def("ids", &Registry::Ids)
+      .def("models", &WriteModels)
+      .def("schema", &WriteSchema)
+      .def("describe", &DescribeNodes);
+}
+
+void BindNodeLink(py::module_& module) {
+  py::class_<Sender<Object>>(module, "Sender")
+      .def(
+          "__call__",
+          [](const Sender<Object>& sender, py::object answer) {
+            sender.Send(Object(std::move(answer)));
+          },
+          py::arg("answer"));
+  py::class_<NodeLink, std::shared_ptr<NodeLink>>(module, "NodeLink")
+      .def("read", &NodeLink::Read, py::arg("port"))
+      .def("has_value", &NodeLink::HasValue, py::arg("port"))
+      .def("writes", &NodeLink::Writes, py::arg("port"))
+      .def("write", &NodeLink::Write, py::arg("port"), py::arg("value"))
+      .def("say", &NodeLink::Say, py::arg("text"))
+      .def("now", &NodeLink::Now)
+      .def("wake_at", &NodeLink::WakeAt, py::arg("time"))
+      .def("wake_after", &NodeLink::WakeAfter, py::arg("seconds"))
+      .def("drain_for", &NodeLink::DrainFor, py::arg("seconds"))
+      .def("path", &NodeLink::Path)
+      .def("new_sender", &NodeLink::NewSender)
+      .def("take", &NodeLink::Take)
+      .def("request_tick", &NodeLink::RequestTick);
+}
+
+}  // namespace
+
+void BindLeaves(py::module_& module) {
+  py::enum_<Status>(module, "Status")
+      .value("IDLE", Status::kIdle)
+      .value("RUNNING", Status::kRunning)
+      .value("SUCCESS", Status::kSuccess)
+      .value("FAILURE", Status::kFailure)
+      .value("SKIPPED", Status::kSkipped);
+  py::register_exception<UnsetPort>(module, "UnsetInput", PyExc_LookupError);
+  BindRegistry(module);
+  BindNodeLink(module);
+  module.def("nearest_name", &NearestName, py::arg("name"), py::arg("candidates"));
+}
+
+}  // namespace coppice::python

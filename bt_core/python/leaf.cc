@@ -1,0 +1,239 @@
+#include "bt_core/python/leaf.h"
+
+#include <utility>
+
+#include "bt_core/python/values.h"
+
+namespace coppice::python {
+namespace {
+
+thread_local Interruption* interruption = nullptr;
+thread_local const PythonLeaf* called = nullptr;  // whose methods may use the tree now
+
+// A signal that waits for Python's handler would be raised in the leaf, however little that has to
+// do with it, and keep it from being halted in order.
+void TakeSignals() {
+  if (!interruption || PyErr_CheckSignals() == 0) return;
+  const py::error_already_set raised;
+  Interruption::Keep(raised.value());
+}
+
+constexpr std::size_t Number(Method method) { return static_cast<std::size_t>(method); }
+
+// Makes an exception of Python one of the engine's. What ends the program is kept apart; then the
+// leaf counts as RUNNING, so that nothing else is begun in its place and it is halted.
+void Rethrow(py::error_already_set& error) {
+  if (!error.matches(PyExc_Exception)) return Interruption::Keep(error.value());
+  if (error.trace()) PyException_SetTraceback(error.value().ptr(), error.trace().ptr());
+  throw PythonError(TracebackOf(error.value()), Object(error.value()));
+}
+
+}  // namespace
+
+Interruption::Interruption(Runner* runner)
+    : outer_(std::exchange(interruption, this)), runner_(runner) {}
+Interruption::~Interruption() { interruption = outer_; }
+
+void Interruption::Raise() const {
+  if (!exception_) return;
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception_.get().ptr())),
+                  exception_.get().ptr());
+  throw py::error_already_set();
+}
+
+void Interruption::Keep(py::object exception) {
+  if (!interruption) return;
+  if (!interruption->exception_) interruption->exception_ = Object(std::move(exception));
+  if (interruption->runner_) interruption->runner_->RequestStop();
+}
+
+void PythonPort::Write(Value value) {
+  if (!slot_) return;  // left out in the XML
+  slot_->value = std::move(value);
+  slot_->CountWrite(*now_);
+}
+
+// While a method of the leaf is called.
+class PythonLeaf::Call {
+ public:
+  explicit Call(const PythonLeaf& leaf) : outer_(std::exchange(called, &leaf)) {}
+  ~Call() { called = outer_; }
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+
+ private:
+  const py::gil_scoped_acquire gil_;
+  const PythonLeaf* const outer_;
+};
+
+PythonLeaf::PythonLeaf(std::shared_ptr<const LeafClass> leaf_class)
+    : class_(std::move(leaf_class)) {
+  for (const PortDeclaration& port : class_->manifest.ports) {
+    ports_.push_back(std::make_unique<PythonPort>(port));
+  }
+}
+
+PythonLeaf::~PythonLeaf() {
+  if (!link_ || !Py_IsInitialized()) return;
+  const py::gil_scoped_acquire gil;  // nobody uses the link meanwhile
+  link_->Cut();
+}
+
+void PythonLeaf::set_host(LeafHost* host) {
+  Leaf::set_host(host);
+  const py::gil_scoped_acquire gil;
+  link_ = std::make_shared<NodeLink>(this);
+  const py::object made = py::reinterpret_borrow<py::object>(class_->make.get())(link_);
+  std::size_t k = 0;
+  for (const py::handle method : made) {
+    methods_[k++] = Object(py::reinterpret_borrow<py::object>(method));
+  }
+}
+
+Status PythonLeaf::Tick(bool starting) {
+  const Call call(*this);
+  const Method method = starting ? Method::kStart : Method::kRunning;
+  try {
+    CollectDropped();
+    return StatusOf(Ask(method), method);
+  } catch (py::error_already_set& error) {
+    Rethrow(error);
+  } catch (py::builtin_exception& error) {
+    throw std::runtime_error(error.what());
+  }
+  return Status::kRunning;
+}
+
+void PythonLeaf::Halt() {
+  const Call call(*this);
+  try {
+    Ask(Method::kHalted);
+  } catch (py::error_already_set& error) {
+    Rethrow(error);
+  }
+}
+
+bool PythonLeaf::HasStopped() {
+  const Call call(*this);
+  try {
+    return py::cast<bool>(Ask(Method::kStopped));
+  } catch (py::error_already_set& error) {
+    Rethrow(error);
+  }
+  return true;
+}
+
+py::object PythonLeaf::Ask(Method method) {
+  const py::handle function = methods_[Number(method)].get();
+  if (!function || function.is_none()) return py::bool_(true);
+  TakeSignals();
+  PyObject* const result = PyObject_CallNoArgs(function.ptr());
+  if (!result) throw py::error_already_set();
+  return py::reinterpret_steal<py::object>(result);
+}
+
+Status PythonLeaf::StatusOf(py::handle result, Method method) const {
+  if (class_->is_condition) {
+    if (PyBool_Check(result.ptr())) {
+      return result.ptr() == Py_True ? Status::kSuccess : Status::kFailure;
+    }
+  } else if (py::isinstance<Status>(result)) {
+    return result.cast<Status>();
+  }
+  const std::string name =
+      py::str(py::getattr(methods_[Number(method)].get(), "__qualname__", py::str("a leaf")));
+  const bool nothing = result.is_none();
+  throw py::type_error(name + "() returned " + std::string(py::repr(result)) + "; expected " +
+                       (class_->is_condition ? "True or False" : "a coppice.Status") +
+                       (nothing ? " (is there a return on every way?)" : ""));
+}
+
+std::string PythonLeaf::WhyUnset(const Slot* slot) const {
+  if (!slot) return {};
+  const Executor& executor = dynamic_cast<const Executor&>(host());
+  const auto number = static_cast<SlotIndex>(slot - executor.blackboard().data());
+  return ": nobody has written key \"" + executor.program().layout.slots[number].key + "\" yet";
+}
+
+PythonLeaf& NodeLink::Leaf() const {
+  if (!leaf_) throw std::runtime_error("the tree of this leaf is gone");
+  if (called != leaf_) {
+    throw std::runtime_error(
+        "ports and tree can be used while the tree calls a method of this leaf, and on that thread "
+        "only; other threads answer by a sender that new_sender() has made before");
+  }
+  return *leaf_;
+}
+
+py::object NodeLink::Read(std::size_t port) const {
+  const PythonLeaf& leaf = Leaf();
+  const Slot* const slot = leaf.ports_.at(port)->slot();
+  if (slot && slot->value.has_value()) return ToPython(slot->value);
+  const PortDeclaration& declared = leaf.class_->manifest.ports[port];
+  const bool may_be_left_out = !declared.required && !declared.default_text;
+  if (may_be_left_out || declared.direction == PortDirection::kOutput) return py::none();
+  throw UnsetPort("input \"" + declared.name + "\" has no value" + leaf.WhyUnset(slot));
+}
+
+bool NodeLink::HasValue(std::size_t port) const {
+  const Slot* const slot = Leaf().ports_.at(port)->slot();
+  return slot && slot->value.has_value();
+}
+
+std::uint32_t NodeLink::Writes(std::size_t port) const {
+  const Slot* const slot = Leaf().ports_.at(port)->slot();
+  return slot ? slot->writes : 0;
+}
+
+void NodeLink::Write(std::size_t port, py::handle value) const {
+  PythonLeaf& leaf = Leaf();
+  PythonPort& at = *leaf.ports_.at(port);
+  try {
+    at.Write(FromPython(&at.type(), value));
+  } catch (const py::builtin_exception& error) {
+    const std::string what =
+        "port \"" + leaf.class_->manifest.ports[port].name + "\": " + error.what();
+    if (dynamic_cast<const py::type_error*>(&error)) throw py::type_error(what);
+    throw py::value_error(what);
+  }
+}
+
+void NodeLink::Say(const std::string& text) const { Leaf().host().AddMessage(text); }
+double NodeLink::Now() const { return ToSeconds(Leaf().host().now()); }
+
+void NodeLink::WakeAt(double seconds) const { Leaf().host().WakeAt(Time(FromSeconds(seconds))); }
+
+void NodeLink::WakeAfter(double seconds) const {
+  LeafHost& host = Leaf().host();
+  host.WakeAt(host.now() + FromSeconds(seconds));
+}
+
+void NodeLink::DrainFor(double seconds) const { Leaf().host().Drain(FromSeconds(seconds)); }
+
+std::string NodeLink::Path() const {
+  auto& executor = dynamic_cast<Executor&>(Leaf().host());
+  return executor.program().Path(executor.current_node());
+}
+
+Sender<Object> NodeLink::NewSender() const { return Leaf().mailbox_.NewSender(); }
+
+py::object NodeLink::Take() const {
+  const Object* const answer = Leaf().mailbox_.Take();
+  return answer ? py::reinterpret_borrow<py::object>(answer->get()) : py::none();
+}
+
+void NodeLink::RequestTick() const {
+  if (leaf_) dynamic_cast<Executor&>(leaf_->host()).inbox()->RequestTick();
+}
+
+void AddLeafClass(Registry& registry, LeafClass leaf_class) {
+  const auto shared = std::make_shared<const LeafClass>(std::move(leaf_class));
+  registry.AddBuilder(shared->manifest, {0, 0},
+                      [shared] { return std::make_unique<PythonLeaf>(shared); });
+}
+
+std::string TracebackOf(py::handle exception) {
+  return py::str(py::module_::import("coppice.leaf").attr("format_error")(exception));
+}
+
+}  // namespace coppice::python
