@@ -85,6 +85,15 @@ if(COPPICE_WEB)
   coppice_install_papers(web coppice-web)
 endif()
 
+# The module for Python, where Debian's Python looks.
+if(TARGET coppice_python)
+  set(dist_packages lib/python3/dist-packages/coppice)
+  install(TARGETS coppice_python LIBRARY DESTINATION ${dist_packages} COMPONENT python OPTIONAL)
+  install(DIRECTORY bt_core/python/coppice/ DESTINATION ${dist_packages} COMPONENT python
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN __pycache__ EXCLUDE)
+  coppice_install_papers(python python3-coppice)
+endif()
+
 # What the programs tell of themselves: pages for `man`, words for the shell.
 find_program(HELP2MAN help2man)  # who only builds does not need it
 mark_as_advanced(HELP2MAN)

@@ -2,6 +2,7 @@
 #   coppice         the command line, its manual pages and completion, the models of other programs
 #   libcoppice-dev  libraries and headers, and what find_package(coppice) needs
 #   coppice-btcpp-compat  BehaviorTree.CPP's headers, library and CMake package, by Coppice
+#   python3-coppice  import coppice
 #   coppice-editor  the editor, `coppice diff` and `coppice export`, the example; its icon, and that
 #                   it opens records and trees
 #   coppice-web     the editor as a page, for `coppice run --web` (with -DCOPPICE_WEB=ON)
@@ -36,6 +37,20 @@ set(CPACK_DEBIAN_BTCPP_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_BTCPP_DESCRIPTION "BehaviorTree.CPP's interface for C++, on Coppice's engine.")
 set(CPACK_DEBIAN_BTCPP_PACKAGE_DEPENDS "libcoppice-dev (= ${PROJECT_VERSION}), nlohmann-json3-dev")
 set(CPACK_DEBIAN_BTCPP_PACKAGE_CONFLICTS "libbehaviortree-cpp-dev, ros-noetic-behaviortree-cpp")
+
+if(TARGET coppice_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-coppice)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Trees, leaves, tests and records in Python.")
+  # The module is made for one version of Python.
+  math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_python})")
+  set(scripts ${CMAKE_CURRENT_LIST_DIR}/package/python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${scripts}/postinst ${scripts}/prerm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "coppice-editor, python3-pandas, python3-pytest")
+endif()
 
 if(TARGET coppice-edit)
   list(APPEND CPACK_COMPONENTS_ALL editor)

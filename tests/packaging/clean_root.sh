@@ -38,7 +38,7 @@ inside apt-get update -q > /dev/null
 mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages/"
 needed=$(for deb in "$packages"/*.deb; do dpkg-deb -f "$deb" Depends; done | tr ',|' '\n\n' |
-  sed 's/(.*)//; s/ //g' | grep -v '^coppice\|^libcoppice' | sort -u)
+  sed 's/(.*)//; s/ //g' | grep -v coppice | sort -u)
 inside apt-get install -q -y --no-install-recommends g++ make cmake $needed > /dev/null
 files > "$root.before"
 
@@ -52,6 +52,9 @@ expect SUCCESS coppice run /packages/tree.xml --quiet
 if [ -x "$root/usr/bin/coppice-edit" ]; then
   inside coppice export /packages/tree.xml -o /packages/tree.svg
   [ -s "$root/packages/tree.svg" ]
+fi
+if [ -d "$root/usr/lib/python3/dist-packages/coppice" ]; then
+  expect Status.SUCCESS python3 -B -c 'import coppice; print(coppice.load("/packages/tree.xml").run())'
 fi
 mkdir "$root/packages/robot"
 cat > "$root/packages/robot/CMakeLists.txt" << 'CMAKE'
@@ -71,7 +74,7 @@ inside sh -c 'cd /packages/robot && cmake -B b > log && cmake --build b >> log' 
 expect "node types" /packages/robot/b/robot
 
 say "purged"
-inside sh -c 'dpkg --purge $(dpkg-query -W -f "\${Package}\n" | grep "^coppice\|^libcoppice-dev") > /dev/null'
+inside sh -c 'dpkg --purge $(dpkg-query -W -f "\${Package}\n" | grep "coppice") > /dev/null'
 files > "$root.after"
 diff "$root.before" "$root.after" || { echo "this is left, or gone"; exit 1; }
 rm "$root.before" "$root.after"
