@@ -44,7 +44,7 @@ const Command& TabletCommand() {
        CommandOption::Text("--places", "FILE", "the places and the ways between them").Needed(),
        CommandOption::Text("--address", "ADDRESS", "to listen on; else 127.0.0.1"),
        CommandOption::Whole("--port", "N", 0, 65535, "of the page, 0 = a free one; else 8091"),
-       CommandOption::Text("--page", "FOLDER", "of its files; else that of the sources")}};
+       CommandOption::Text("--page", "FOLDER", "of its files; else the one that was built")}};
   return command;
 }
 

@@ -19,7 +19,7 @@ const kWords = {
        error: "Gerade geht das nicht. Bitte gleich noch einmal."}};
 
 const element = id => document.getElementById(id);
-const plan = new Floor(element("floor"));
+const plan = makeFloor(element("floor"));
 let language = "en";
 let path = [];
 let place = "";          // to which the visitor can be led
@@ -28,6 +28,16 @@ let idleTimer = 0, talkTimer = 0;
 let faceNumber = -1, saidNumber = -1;
 const words = () => kWords[language];
 const call = (what, more = {}) => ask({do: what, language, ...more});
+
+// In three dimensions where the page has three.js and the browser WebGL.
+function makeFloor(canvas) {
+  try {
+    if (window.THREE) return new Floor3d(canvas);
+  } catch (error) {
+    console.info("no WebGL here: " + error);
+  }
+  return new Floor(canvas);
+}
 
 function showWords() {
   document.documentElement.lang = language;

@@ -14,7 +14,7 @@ namespace coppice::robot::mapping {
 namespace {
 
 constexpr Pose2D kStart{-0.5, 0, 0};
-constexpr int kSeeds = 5;
+constexpr int kSeeds = 3;
 
 // As many as that, the shipped four among them, up and down corridor and hall.
 simulation::Floor FloorWith(std::size_t people) {

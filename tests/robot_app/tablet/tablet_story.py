@@ -28,6 +28,8 @@ def is_told(visitor, words):
 def find_a_room(visitor):
     visitor.sees("the face", "faceNumber > 0")
     visitor.sees("the floor", "plan.info && plan.info.width > 100 && plan.pose")
+    visitor.sees("its walls in three dimensions",
+                 "plan instanceof Floor3d && plan.renderer.info.render.triangles > 400")
     visitor.photograph("start")
     press(visitor, "Places")
     press(visitor, "office")
