@@ -51,6 +51,8 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<WaitForBattery>("WaitForBattery");
   registry.Register<Charge>("Charge");
   registry.Register<ChargeDue>("ChargeDue");
+  registry.Register<PlanCharge>("PlanCharge");
+  registry.Register<IsOffDuty>("IsOffDuty");
 
   registry.Register<Say>("Say", std::ref(capabilities.interaction));
   registry.Register<SetExpression>("SetExpression", std::ref(capabilities.face));
@@ -102,7 +104,8 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
                                         std::ref(capabilities.recoveries));
 
   registry.Register<RequestCharge>("RequestCharge", std::ref(capabilities.application));
-  registry.Register<AnnounceGoingHome>("AnnounceGoingHome", std::ref(capabilities.application));
+  registry.Register<AnnounceGoingHome>("AnnounceGoingHome", std::ref(capabilities.application),
+                                       std::make_shared<int>(0));
   registry.Register<SuspendApplication>("SuspendApplication", std::ref(capabilities.application));
 }
 

@@ -15,9 +15,9 @@ Status RequestCharge::Run() {
 }
 
 Status AnnounceGoingHome::Tick(Children& child, bool starting) {
-  if (starting) application_.SetGoingHome(true);
+  if (starting && ++*active_ == 1) application_.SetGoingHome(true);
   const Status result = child.Tick(0);
-  if (result != Status::kRunning) application_.SetGoingHome(false);
+  if (result != Status::kRunning) End();
   return result;
 }
 

@@ -2,10 +2,22 @@
 #ifndef COPPICE_BT_NODES_APPLICATION_APPLICATION_LEAVES_H_
 #define COPPICE_BT_NODES_APPLICATION_APPLICATION_LEAVES_H_
 
+#include <memory>
+#include <utility>
+
 #include "bt_core/nodes/user_control.h"
 #include "bt_nodes/application/application_control.h"
 
 namespace coppice::leaves {
+
+class IsOffDuty : public Condition {
+ public:
+  static constexpr const char* kDescription =
+      "Are these no working hours? A robot that was not told its hours is always on duty.";
+  Input<double> duty_left{this, "duty_left",
+                          "until the end of the working hours, fed from outside [s]", kOptional};
+  bool Check() override { return duty_left.has_value() && *duty_left <= 0; }
+};
 
 /// A state with a heartbeat: said again now and then, so that an application that was restarted
 /// hears of it.
@@ -25,18 +37,27 @@ class RequestCharge : public SyncAction {
   Time said_at_{};
 };
 
-/// Around what brings the robot to the station and charges it.
+/// Around what brings the robot to the station and charges it. Of several in one tree one may begin
+/// before another is halted in the same tick; the robot goes home as long as one of them is active.
 class AnnounceGoingHome : public UserDecorator {
  public:
   static constexpr const char* kDescription =
       "Tells the battery watchdog that the application is on its way to the station as long as the "
       "child is active. The result is the child's.";
-  explicit AnnounceGoingHome(ApplicationControl& application) : application_(application) {}
+  /// `active`: how many are, shared by those of one tree.
+  explicit AnnounceGoingHome(ApplicationControl& application,
+                             std::shared_ptr<int> active = std::make_shared<int>(0))
+      : application_(application), active_(std::move(active)) {}
   Status Tick(Children& child, bool starting) override;
-  void OnHalted() override { application_.SetGoingHome(false); }
+  void OnHalted() override { End(); }
 
  private:
+  void End() {
+    if (--*active_ == 0) application_.SetGoingHome(false);
+  }
+
   ApplicationControl& application_;
+  std::shared_ptr<int> active_;
 };
 
 /// Around what must have the robot for itself.

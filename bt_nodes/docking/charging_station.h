@@ -8,6 +8,7 @@
 
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
+#include "bt_nodes/basics/turn.h"
 
 namespace coppice::leaves {
 
@@ -22,6 +23,8 @@ class ChargingStation {
   /// Drives off the station backwards.
   virtual void Undock(Sender<ActionResult> done) = 0;
   virtual void CancelDocking() = 0;
+
+  Turn turn;  ///< of all its actions
 };
 
 }  // namespace coppice::leaves

@@ -21,6 +21,7 @@ class Dock : public CapabilityAction {
     station_.Dock(*lateral_offset, *attempts, done);
   }
   void Cancel() override { station_.CancelDocking(); }
+  Turn* turn() override { return &station_.turn; }
 
  private:
   ChargingStation& station_;
@@ -36,6 +37,7 @@ class PressOn : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { station_.PressOn(done); }
   void Cancel() override { station_.CancelDocking(); }
+  Turn* turn() override { return &station_.turn; }
 
  private:
   ChargingStation& station_;
@@ -49,6 +51,7 @@ class Undock : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { station_.Undock(done); }
   void Cancel() override { station_.CancelDocking(); }
+  Turn* turn() override { return &station_.turn; }
 
  private:
   ChargingStation& station_;

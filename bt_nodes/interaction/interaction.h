@@ -9,6 +9,7 @@
 
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
+#include "bt_nodes/basics/turn.h"
 
 namespace coppice::leaves {
 
@@ -18,6 +19,8 @@ class Interaction {
   /// Speaks a text. Reported as done when it has been spoken.
   virtual void Say(const std::string& text, Sender<ActionResult> done) = 0;
   virtual void CancelSpeech() = 0;
+
+  Turn turn;  ///< of Say
 };
 
 }  // namespace coppice::leaves

@@ -18,6 +18,7 @@ class Say : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { interaction_.Say(*text, done); }
   void Cancel() override { interaction_.CancelSpeech(); }
+  Turn* turn() override { return &interaction_.turn; }
 
  private:
   Interaction& interaction_;

@@ -19,6 +19,7 @@ class NavigateTo : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { navigator_.NavigateTo(*goal, done); }
   void Cancel() override { navigator_.CancelNavigation(); }
+  Turn* turn() override { return &navigator_.driving; }
 
  private:
   Navigator& navigator_;
@@ -50,6 +51,7 @@ class BackUp : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { navigator_.Move(-*distance, *speed, done); }
   void Cancel() override { navigator_.CancelMotion(); }
+  Turn* turn() override { return &navigator_.moving; }
 
  private:
   Navigator& navigator_;
@@ -65,6 +67,7 @@ class Rotate : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { navigator_.Rotate(*angle, *speed, done); }
   void Cancel() override { navigator_.CancelMotion(); }
+  Turn* turn() override { return &navigator_.moving; }
 
  private:
   Navigator& navigator_;

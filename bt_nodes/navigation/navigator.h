@@ -9,6 +9,7 @@
 
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
+#include "bt_nodes/basics/turn.h"
 #include "bt_nodes/navigation/pose2d.h"
 
 namespace coppice::leaves {
@@ -32,6 +33,9 @@ class Navigator {
   /// Turns on the spot by `angle` [rad], counter-clockwise, at `speed` [rad/s].
   virtual void Rotate(double angle, double speed, Sender<ActionResult> done) = 0;
   virtual void CancelMotion() = 0;
+
+  Turn driving;  ///< of NavigateTo
+  Turn moving;   ///< of Move and Rotate
 };
 
 }  // namespace coppice::leaves

@@ -1,5 +1,5 @@
 // What leaves need of the ways between the places of a site. Implemented on the topological map in
-// robot_app/ros. All functions are called on the ticking thread and return at once.
+// robot_app/common/places. All functions are called on the ticking thread and return at once.
 #ifndef COPPICE_BT_NODES_NAVIGATION_ROUTES_H_
 #define COPPICE_BT_NODES_NAVIGATION_ROUTES_H_
 

@@ -110,6 +110,7 @@ class FacePerson : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override;
   void Cancel() override { navigator_.CancelMotion(); }
+  Turn* turn() override { return &navigator_.moving; }
 
  private:
   Navigator& navigator_;

@@ -1,6 +1,26 @@
 #include "bt_nodes/power/power_leaves.h"
 
+#include <algorithm>
+
 namespace coppice::leaves {
+namespace {
+
+constexpr double kLow = 0.3;       // without a plan
+constexpr double kCharged = 0.95;  // beyond that it takes long
+
+}  // namespace
+
+Status PlanCharge::Run() {
+  double low_level = kLow, charged = kCharged;
+  if (duty_left.has_value() && *duty_left > 0) {
+    const double rest = *duty_left / 3600 * *current / *capacity;
+    low_level = std::clamp(*reserve + rest - *slack, *reserve, std::max(*reserve, *low));
+    if (!to_the_full.has_value() || !*to_the_full) charged = std::min(charged, *reserve + rest);
+  }
+  low_below.Set(low_level);
+  until.Set(std::max(charged, std::min(kCharged, low_level + 0.01)));
+  return Status::kSuccess;
+}
 
 bool ChargeDue::Check() {
   if (!watch_) {

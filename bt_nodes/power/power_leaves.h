@@ -83,6 +83,30 @@ class Charge : public Action {
   void OnHalted() override {}
 };
 
+/// How long to charge, and from when on. Where the hours are known in which the robot works, it
+/// charges as much as it needs for the rest of them, and no sooner than it must: all else can be
+/// charged at night, when it costs nothing. The reserve at the end of the day is untouched.
+class PlanCharge : public SyncAction {
+ public:
+  static constexpr const char* kDescription =
+      "Works out when the battery counts as low, and how far to charge it: for the rest of the "
+      "working hours, as far as those are known.";
+  Input<double> duty_left{this, "duty_left",
+                          "until the end of the working hours, fed from outside [s]; not fed: the "
+                          "robot works at any time",
+                          kOptional};
+  Input<bool> to_the_full{this, "to_the_full", "it must be charged whatever it needs", kOptional};
+  Input<double> capacity{this, "capacity", "of the battery [Ah]", 75};
+  Input<double> current{this, "current", "drawn at work, on the average [A]", 11};
+  Input<double> reserve{this, "reserve", "left at the end of the working hours, 0..1", 0.15};
+  Input<double> slack{this, "slack", "so much less than planned is no reason to go, 0..1", 0.05};
+  Input<double> low{this, "low",
+                    "with less it goes in any case but towards the end of the day, 0..1", 0.5};
+  Output<double> low_below{this, "low_below", "low below this level, 0..1"};
+  Output<double> until{this, "until", "charged at this level, 0..1"};
+  Status Run() override;
+};
+
 /// The decision of the battery watchdog. To be ticked all the time: it counts the current.
 class ChargeDue : public Condition {
  public:

@@ -98,6 +98,7 @@ class SayPhrase : public CapabilityAction {
     interaction_.Say(phrases_.Text(*phrase, *language, *about), done);
   }
   void Cancel() override { interaction_.CancelSpeech(); }
+  Turn* turn() override { return &interaction_.turn; }
 
  private:
   Interaction& interaction_;

@@ -28,8 +28,9 @@ class Application : public testing::Test {
   TreeScenario scenario_{"application/patrol.xml"};
 };
 
-TEST_F(Application, DrivesToAPlaceFirst) {
+TEST_F(Application, DrivesFirstToAPlaceToWhichAWayIsFree) {
   scenario_.Tick();
+  scenario_.Answer(true);
   EXPECT_EQ(scenario_.LastCall(), "NavigateTo 46;0;1");
 }
 
@@ -68,7 +69,7 @@ TEST_F(Application, GoesHomeAfterTheLastRound) {
 }
 
 TEST_F(Application, BreaksOffThePatrolWhenTheBatteryIsLow) {
-  scenario_.Tick();
+  Until("NavigateTo 46;0;1");
   scenario_.Set("battery_level", 0.2);
   scenario_.Tick();
   EXPECT_EQ(scenario_.CallsOf("CancelNavigation"), 1);
@@ -98,7 +99,7 @@ TEST_F(Application, GoesOnPatrollingWhenTheBatteryIsFull) {
 }
 
 TEST_F(Application, ObeysTheBatteryWatchdogAndSaysSo) {
-  scenario_.Tick();
+  Until("NavigateTo 46;0;1");
   scenario_.Set("charge_requested", true);
   scenario_.Tick();
   EXPECT_EQ(scenario_.CallsOf("CancelNavigation"), 1);
@@ -149,6 +150,7 @@ TEST_F(Application, AsksWhoWearsNoMaskToPutOneOnOnTheWayAndOnlyOnce) {
   without.id = 7;
   without.x = 1.5;
   without.mask = leaves::Mask::kWithout;
+  Until("NavigateTo 46;0;1");
   for (int i = 0; i < 4; ++i) {
     scenario_.Set("people", leaves::PeopleView{scenario_.now(), {without}});
     scenario_.Tick();

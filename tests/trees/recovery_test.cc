@@ -20,10 +20,13 @@ Health Errors(const std::string& monitor) {
 class RecoverNavigation : public testing::Test {
  protected:
   RecoverNavigation() { scenario_.Set("health", Errors("navigation")); }
-  // Neither waiting nor moving backwards helps.
+  // Neither waiting nor moving backwards nor more patience helps.
   void Fail() {
     scenario_.Tick();
     scenario_.Advance(20);
+    scenario_.Tick();
+    scenario_.Answer(false);
+    scenario_.Advance(60);
     scenario_.Tick();
     scenario_.Answer(false);
   }
@@ -50,13 +53,19 @@ TEST_F(RecoverNavigation, MovesBackwardsWhenWaitingDoesNotHelp) {
   EXPECT_EQ(scenario_.LastCall(), "Move -0.3 0.1");
 }
 
-TEST_F(RecoverNavigation, AsksAPersonWhenNeitherHelpsAndDoesNotWaitForIt) {
+TEST_F(RecoverNavigation, WaitsLongerAndThenAsksAPersonWhenNeitherHelpsAndDoesNotWaitForIt) {
   scenario_.Tick();
   scenario_.Advance(20);
   scenario_.Tick();
   scenario_.Answer(true);
   scenario_.Advance(20);
-  EXPECT_EQ(scenario_.Tick(), Status::kFailure);
+  EXPECT_EQ(scenario_.Tick(), Status::kRunning);
+  EXPECT_TRUE(scenario_.Runs("wait_longer"));
+  EXPECT_EQ(scenario_.CallsBeginning("Ask"), 0) << "the way may be free before anybody comes";
+  scenario_.Advance(60);
+  EXPECT_EQ(scenario_.Tick(), Status::kRunning);
+  EXPECT_EQ(scenario_.CallsOf("Move -0.3 0.1"), 2);
+  EXPECT_EQ(scenario_.Answer(false), Status::kFailure);
   EXPECT_EQ(scenario_.LastCall().rfind("Ask navigation: ", 0), 0u);
 }
 
@@ -71,7 +80,7 @@ TEST_F(RecoverNavigation, NeitherWaitsNorMovesAgainWhileAPersonIsAsked) {
     scenario_.Advance(1);
     EXPECT_EQ(scenario_.Tick(), Status::kFailure);
   }
-  EXPECT_EQ(scenario_.CallsBeginning("Move"), 1);
+  EXPECT_EQ(scenario_.CallsBeginning("Move"), 2);
   EXPECT_EQ(scenario_.CallsBeginning("Ask"), 1);
 }
 
@@ -142,8 +151,8 @@ TEST_F(RecoverNavigation, TakesUpTheSameRungAfterAnInterruption) {
 TEST_F(RecoverNavigation, RecordsEveryRecoveryWithItsPlace) {
   scenario_.Set("pose", Pose2D{1, 2, 3});
   Fail();
-  ASSERT_EQ(scenario_.robot.events.size(), 4u);
-  const leaves::RecoveryEvent& last = scenario_.robot.events.back();
+  ASSERT_EQ(scenario_.robot.events.size(), 6u);
+  const leaves::RecoveryEvent& last = scenario_.robot.events[3];
   EXPECT_EQ(last.recovery, "move backwards");
   EXPECT_EQ(last.subject, "navigation");
   EXPECT_EQ(last.phase, leaves::RecoveryPhase::kFailed);

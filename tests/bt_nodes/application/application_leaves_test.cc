@@ -40,6 +40,23 @@ TEST(AnnounceGoingHome, SaysWhenItBeginsAndWhenItEnds) {
   EXPECT_EQ(robot.calls.back(), "SetGoingHome false");
 }
 
+// One begins in the tick in which the other is halted.
+TEST(AnnounceGoingHome, TheRobotGoesHomeAsLongAsOneOfSeveralIsActive) {
+  FakeRobot robot;
+  const auto active = std::make_shared<int>(0);
+  const auto application = std::ref<ApplicationControl>(robot);
+  LeafHarness patrol = LeafHarness::WithChildren<AnnounceGoingHome>(1, application, active);
+  LeafHarness charge = LeafHarness::WithChildren<AnnounceGoingHome>(1, application, active);
+  for (LeafHarness* leaf : {&patrol, &charge}) {
+    leaf->SetChild(0, {Status::kRunning});
+    leaf->Tick();
+  }
+  patrol.Halt();
+  EXPECT_EQ(robot.calls, Calls{"SetGoingHome true"});
+  charge.Halt();
+  EXPECT_EQ(robot.calls.back(), "SetGoingHome false");
+}
+
 TEST(SuspendApplication, ResumesItHoweverTheChildEnds) {
   FakeRobot robot;
   LeafHarness leaf =
@@ -52,6 +69,15 @@ TEST(SuspendApplication, ResumesItHoweverTheChildEnds) {
   leaf.SetChild(0, {Status::kFailure});
   EXPECT_EQ(leaf.Tick(), Status::kFailure);
   EXPECT_EQ(robot.calls, (Calls{"Suspend", "Resume", "Suspend", "Resume"}));
+}
+
+TEST(IsOffDuty, OnlyARobotThatKnowsItsHoursIsEverOffDuty) {
+  LeafHarness harness = LeafHarness::For<IsOffDuty>();
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  harness.Set("duty_left", 1.0);
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  harness.Set("duty_left", 0.0);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
 }
 
 }  // namespace

@@ -99,5 +99,19 @@ TEST(FindWaypoint, SaysWhichPlaceThereIsNot) {
   EXPECT_EQ(harness.message(), R"(no waypoint "cellar" on the map)");
 }
 
+// A reactive node begins the more urgent branch before it halts the one that ran.
+TEST(BackUp, IsNotCancelledByALeafThatIsHaltedAfterItHasBegun) {
+  FakeRobot robot;
+  LeafHarness rotate = LeafHarness::For<Rotate>(std::ref<Navigator>(robot));
+  rotate.Set("angle", 6.28);
+  rotate.Tick();
+  LeafHarness back_up = LeafHarness::For<BackUp>(std::ref<Navigator>(robot));
+  back_up.Tick();
+  rotate.Halt();
+  EXPECT_EQ(robot.calls.back(), "Move -0.3 0.1");
+  back_up.Halt();
+  EXPECT_EQ(robot.calls.back(), "CancelMotion");
+}
+
 }  // namespace
 }  // namespace coppice::leaves

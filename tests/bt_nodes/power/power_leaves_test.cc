@@ -123,5 +123,50 @@ TEST(ChargeDue, HoldsWhenTheBatteryNeverReports) {
   EXPECT_FALSE(harness.Get<bool>("critical"));
 }
 
+double Planned(const LeafHarness& harness, const std::string& port) {
+  return harness.Get<double>(port);
+}
+
+TEST(PlanCharge, WithoutWorkingHoursItChargesToTheFull) {
+  LeafHarness harness = LeafHarness::For<PlanCharge>();
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  EXPECT_DOUBLE_EQ(Planned(harness, "low_below"), 0.3);
+  EXPECT_DOUBLE_EQ(Planned(harness, "until"), 0.95);
+}
+
+// 75 Ah, 11 A: 0.147 an hour.
+TEST(PlanCharge, ChargesForTheRestOfTheDayAndLeavesTheReserve) {
+  LeafHarness harness = LeafHarness::For<PlanCharge>();
+  harness.Set("duty_left", 3 * 3600.0);
+  harness.Tick();
+  EXPECT_NEAR(Planned(harness, "until"), 0.15 + 0.44, 1e-9);
+  EXPECT_DOUBLE_EQ(Planned(harness, "low_below"), 0.5);
+  harness.Set("duty_left", 8 * 3600.0);
+  harness.Tick();
+  EXPECT_DOUBLE_EQ(Planned(harness, "until"), 0.95) << "it cannot hold more";
+}
+
+TEST(PlanCharge, TowardsTheEndOfTheDayTheBatteryIsLowOnlyAtTheReserve) {
+  LeafHarness harness = LeafHarness::For<PlanCharge>();
+  harness.Set("duty_left", 1800.0);
+  harness.Tick();
+  EXPECT_NEAR(Planned(harness, "low_below"), 0.15 + 0.0733 - 0.05, 1e-3);
+  harness.Set("duty_left", 60.0);
+  harness.Tick();
+  EXPECT_DOUBLE_EQ(Planned(harness, "low_below"), 0.15);
+  EXPECT_GT(Planned(harness, "until"), 0.15) << "else it would come back at once";
+}
+
+TEST(PlanCharge, AtNightAndWhenToldToItChargesToTheFull) {
+  LeafHarness harness = LeafHarness::For<PlanCharge>();
+  harness.Set("duty_left", 0.0);
+  harness.Tick();
+  EXPECT_DOUBLE_EQ(Planned(harness, "until"), 0.95);
+  harness.Set("duty_left", 3600.0);
+  harness.Set("to_the_full", true);
+  harness.Tick();
+  EXPECT_DOUBLE_EQ(Planned(harness, "until"), 0.95);
+}
+
 }  // namespace
 }  // namespace coppice::leaves
