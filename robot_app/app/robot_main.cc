@@ -17,6 +17,8 @@
 #include "robot_app/app/robot_figures.h"
 #include "robot_app/app/tree_link.h"
 #include "robot_app/app/tree_runner.h"
+#include "robot_app/common/configuration/site_phrases.h"
+#include "robot_app/common/places/site_places.h"
 #include "robot_app/common/ros_clock.h"
 #include "robot_app/ros/feeds.h"
 #include "robot_app/ros/people_feed.h"
@@ -27,8 +29,6 @@
 #include "robot_app/ros/ros_process_manager.h"
 #include "robot_app/ros/ros_recovery_log.h"
 #include "robot_app/ros/ros_supervisors.h"
-#include "robot_app/ros/site_phrases.h"
-#include "robot_app/ros/site_places.h"
 #include "robot_app/ros/visitor_feed.h"
 
 namespace coppice::robot {
@@ -99,9 +99,9 @@ leaves::Pose2D StationOn(const leaves::WaypointMap& map) {
   return station.pose;
 }
 
-adapters::SitePhrases PhrasesOf(const Options& options) {
+SitePhrases PhrasesOf(const Options& options) {
   Diagnostics diagnostics;
-  adapters::SitePhrases phrases(options.Get("--phrases", COPPICE_PHRASES), diagnostics);
+  SitePhrases phrases(options.Get("--phrases", COPPICE_PHRASES), diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors()) throw std::runtime_error("the robot knows not what to say");
   return phrases;
@@ -242,12 +242,12 @@ class Robot {
   const bool is_recorded_;
   RosClock clock_;
   std::unique_ptr<leaves::Navigator> navigator_;
-  adapters::SitePlaces places_;
+  SitePlaces places_;
   std::unique_ptr<leaves::ChargingStation> station_;
   adapters::RosInteraction interaction_;
   adapters::RosFace face_;
   adapters::VisitorFeed visitors_;
-  adapters::SitePhrases phrases_;
+  SitePhrases phrases_;
   adapters::RosProcessManager processes_;
   adapters::RosSupervisors supervisors_;
   adapters::RosRecoveryLog recoveries_;

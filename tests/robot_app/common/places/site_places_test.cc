@@ -1,4 +1,4 @@
-#include "robot_app/ros/site_places.h"
+#include "robot_app/common/places/site_places.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 #include "tests/support/folders.h"
 
-namespace coppice::robot::adapters {
+namespace coppice::robot {
 namespace {
 
 using testing::HasSubstr;
@@ -136,4 +136,4 @@ TEST_F(SitePlacesTest, AMemoryThatIsBrokenDoesNotKeepTheRobotFromStarting) {
 }
 
 }  // namespace
-}  // namespace coppice::robot::adapters
+}  // namespace coppice::robot

@@ -1,4 +1,4 @@
-#include "robot_app/ros/site_phrases.h"
+#include "robot_app/common/configuration/site_phrases.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -7,7 +7,7 @@
 
 #include "robot_app/common/yaml_fields.h"
 
-namespace coppice::robot::adapters {
+namespace coppice::robot {
 namespace {
 
 constexpr char kPlaceholder[] = "{about}";
@@ -74,4 +74,4 @@ std::string SitePhrases::Text(leaves::Phrase phrase, const std::string& language
   return text;
 }
 
-}  // namespace coppice::robot::adapters
+}  // namespace coppice::robot

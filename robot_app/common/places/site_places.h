@@ -3,8 +3,8 @@
 //
 // Any thread: several trees tick at a time. What is learnt is written on a thread of its own, so
 // that no tick waits for a disk.
-#ifndef COPPICE_ROBOT_APP_ROS_SITE_PLACES_H_
-#define COPPICE_ROBOT_APP_ROS_SITE_PLACES_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_PLACES_SITE_PLACES_H_
+#define COPPICE_ROBOT_APP_COMMON_PLACES_SITE_PLACES_H_
 
 #include <mutex>
 #include <optional>
@@ -18,7 +18,7 @@
 #include "robot_app/common/places/route_guide.h"
 #include "robot_app/common/service_caller.h"
 
-namespace coppice::robot::adapters {
+namespace coppice::robot {
 
 class SitePlaces : public leaves::WaypointMap, public leaves::Routes {
  public:
@@ -60,6 +60,6 @@ class SitePlaces : public leaves::WaypointMap, public leaves::Routes {
   std::optional<ServiceCaller> writer_{std::in_place};
 };
 
-}  // namespace coppice::robot::adapters
+}  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_ROS_SITE_PLACES_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_PLACES_SITE_PLACES_H_

@@ -1,4 +1,4 @@
-#include "robot_app/ros/site_phrases.h"
+#include "robot_app/common/configuration/site_phrases.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
-namespace coppice::robot::adapters {
+namespace coppice::robot {
 namespace {
 
 using leaves::Phrase;
@@ -61,4 +61,4 @@ TEST_F(SitePhrasesTest, TellsWhereTheFileIsWrong) {
 }
 
 }  // namespace
-}  // namespace coppice::robot::adapters
+}  // namespace coppice::robot

@@ -1,4 +1,4 @@
-#include "robot_app/ros/site_places.h"
+#include "robot_app/common/places/site_places.h"
 
 #include <chrono>
 #include <iostream>
@@ -7,7 +7,7 @@
 
 #include "bt_core/model/write_file.h"
 
-namespace coppice::robot::adapters {
+namespace coppice::robot {
 namespace {
 
 TopologicalMap Load(const std::string& path) {
@@ -126,4 +126,4 @@ void SitePlaces::Write(const std::string& text) const {
   if (!WriteFile(memory_, text, diagnostics)) std::cerr << diagnostics.ToString();
 }
 
-}  // namespace coppice::robot::adapters
+}  // namespace coppice::robot

@@ -1,7 +1,7 @@
 // What trees say to visitors, from a file of the site (robot_app/config/phrases.yaml): in English and
 // German, by the time of day.
-#ifndef COPPICE_ROBOT_APP_ROS_SITE_PHRASES_H_
-#define COPPICE_ROBOT_APP_ROS_SITE_PHRASES_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_CONFIGURATION_SITE_PHRASES_H_
+#define COPPICE_ROBOT_APP_COMMON_CONFIGURATION_SITE_PHRASES_H_
 
 #include <functional>
 #include <map>
@@ -11,7 +11,7 @@
 #include "bt_core/base/diagnostic.h"
 #include "bt_nodes/visitors/phrases.h"
 
-namespace coppice::robot::adapters {
+namespace coppice::robot {
 
 /// Minutes since midnight where the robot is.
 using MinuteOfDay = std::function<int()>;
@@ -37,6 +37,6 @@ class SitePhrases : public leaves::Phrases {
   MinuteOfDay minute_;
 };
 
-}  // namespace coppice::robot::adapters
+}  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_ROS_SITE_PHRASES_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_CONFIGURATION_SITE_PHRASES_H_
