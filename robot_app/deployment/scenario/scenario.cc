@@ -138,7 +138,7 @@ Outcome Without(const std::string& fault, Scenario& scenario) {
   return {};
 }
 
-void Times(double factor, Scenario& scenario) {
+void MultiplyFaults(double factor, Scenario& scenario) {
   for (double& rate : scenario.rates) rate *= factor;
   for (const Fault fault : {Fault::kDocking, Fault::kNoCurrent}) {
     double& share = scenario.rates[static_cast<std::size_t>(fault)];

@@ -72,7 +72,7 @@ Scenario LoadScenario(const std::string& path, Diagnostics& diagnostics);
 /// Leaves a fault out. A problem if there is no such one, with the nearest name.
 Outcome Without(const std::string& fault, Scenario& scenario);
 /// All faults so many times as often; probabilities stay below 1.
-void Times(double factor, Scenario& scenario);
+void MultiplyFaults(double factor, Scenario& scenario);
 /// Ends after so many days from the first midnight on.
 Outcome Shorten(int days, Scenario& scenario);
 

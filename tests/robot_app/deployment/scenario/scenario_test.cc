@@ -42,7 +42,7 @@ TEST(Scenario, AFaultCanBeLeftOutAndAllBeMoreFrequent) {
   Scenario scenario = Shipped();
   const double blockages = scenario.rate(Fault::kBlockage);
   ASSERT_TRUE(Without("docking", scenario));
-  Times(5, scenario);
+  MultiplyFaults(5, scenario);
   EXPECT_EQ(scenario.rate(Fault::kDocking), 0);
   EXPECT_EQ(scenario.rate(Fault::kBlockage), 5 * blockages);
   EXPECT_THAT(Without("dokcing", scenario).problem(), HasSubstr("docking"));
