@@ -1,11 +1,13 @@
 // Nothing that stood on the screen five seconds ago is lost, whatever is killed and when: sessions
-// of random work in which the editor is killed, the disk fails for a while, and the file is
-// removed, comes back or is changed by others.
+// of random work in which the editor is killed, also in the middle of what it writes, the disk fails
+// for a while, and the file is removed, comes back or is changed by others.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "tests/editor/driver.h"
+#include "tests/editor/files/dying_calls.h"
 
 namespace coppice::editor {
 namespace {
@@ -25,6 +28,7 @@ namespace fs = std::filesystem;
 constexpr int kSessions = 1000;
 constexpr double kPromise = 5;  // s
 constexpr float kSlice = 0.25;  // s; the window looks at the clock at least so often
+constexpr int kDiskCalls = 60;  // of a session, about; see DieAtDiskCall
 
 std::string Disk(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -42,7 +46,7 @@ std::string Tree(int number) {
 class Session {
  public:
   Session(const std::string& folder, unsigned seed)
-      : folder_(folder), random_(seed), log_(folder + "/log") {}
+      : folder_(folder), random_(seed), log_(std::fopen((folder + "/log").c_str(), "w")) {}
 
   [[noreturn]] void Run() {
     EditorOptions options;
@@ -50,7 +54,9 @@ class Session {
     editor_ = std::make_unique<Editor>(WithSharedFonts(options));
     editor_->Open(folder_ + "/a.xml");
     editor_->Open(folder_ + "/b.xml");
+    DieAtDiskCall(Pick(1, 2 * kDiskCalls));
     for (int steps = Pick(5, 40); steps > 0; --steps) Step();
+    DieAtDiskCall(0);
     Mend();
     Log("end", 0);
     _exit(0);  // as by SIGKILL: nothing is tidied up
@@ -84,11 +90,15 @@ class Session {
       default:
         Edit();
     }
-    for (int slices = Pick(0, 8); slices > 0; --slices) editor_->Rest(kSlice);
+    for (int slices = Pick(0, 8); slices > 0; --slices) {
+      editor_->Rest(kSlice);
+      Log("alive", 0);
+    }
   }
 
   void Log(const std::string& what, int text) {
-    log_ << editor_->now() << " " << what << " " << text << std::endl;
+    std::fprintf(log_, "%.3f %s %d\n", editor_->now(), what.c_str(), text);
+    std::fflush(log_);
   }
 
   // What the user had saved was safe; it is not the editor that loses it.
@@ -135,7 +145,7 @@ class Session {
 
   const std::string folder_;
   std::mt19937 random_;
-  std::ofstream log_;
+  std::FILE* const log_;
   std::unique_ptr<Editor> editor_;
   bool is_broken_ = false;
   int last_ = 0;
@@ -154,6 +164,12 @@ struct Story {
   std::map<std::string, std::set<int>> destroyed;   // likewise: what others have destroyed
 };
 
+// What Break() has left when the editor was killed before Mend().
+void MendAfterwards(const std::string& folder) {
+  if (fs::is_regular_file(folder + "/state")) fs::remove(folder + "/state");
+  if (fs::exists(folder + "/away")) fs::rename(folder + "/away", folder + "/state");
+}
+
 Story ReadLog(const std::string& path) {
   Story story;
   std::ifstream stream(path);
@@ -161,16 +177,16 @@ Story ReadLog(const std::string& path) {
   bool is_good = true;
   std::string what;
   for (int text = 0; stream >> time >> what >> text;) {
-    if (what == "broken" || what == "end") {
-      if (is_good && time - good_since >= kPromise) story.kept = time - kPromise;
+    story.end = time;
+    if (is_good && time - good_since >= kPromise) story.kept = time - kPromise;
+    if (what == "broken") {
       is_good = false;
-      story.end = time;
     } else if (what == "mended") {
       is_good = true;
       good_since = time;
     } else if (what.rfind("destroyed:", 0) == 0) {
       story.destroyed[what.substr(10)].insert(text);
-    } else {
+    } else if (what != "alive" && what != "end") {
       story.shown[what].push_back({time, text});
     }
   }
@@ -192,6 +208,7 @@ TEST(LostWork, NothingThatStoodOnTheScreenFiveSecondsAgoIsLost) {
   // In memory: a thousand sessions wait for the disk for minutes otherwise.
   if (fs::exists("/dev/shm")) setenv("TMPDIR", "/dev/shm", 1);
   int checked = 0;
+  int killed = 0;
   for (unsigned seed = 1; seed <= kSessions; ++seed) {
     const TemporaryFolder folder;
     for (const char* name : {"/a.xml", "/b.xml"}) WriteFile(folder.path() + name, Tree(0));
@@ -199,7 +216,10 @@ TEST(LostWork, NothingThatStoodOnTheScreenFiveSecondsAgoIsLost) {
     if (process == 0) Session(folder.path(), seed).Run();
     int status = 0;
     ASSERT_EQ(waitpid(process, &status, 0), process);
-    ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "seed " << seed;
+    const bool was_killed = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    ASSERT_TRUE(was_killed || (WIFEXITED(status) && WEXITSTATUS(status) == 0)) << "seed " << seed;
+    if (was_killed) ++killed;
+    MendAfterwards(folder.path());
     Story story = ReadLog(folder.path() + "/log");
     UnsavedWork work(folder.path() + "/state");
     work.Look(OpenProject());
@@ -219,6 +239,8 @@ TEST(LostWork, NothingThatStoodOnTheScreenFiveSecondsAgoIsLost) {
     }
   }
   EXPECT_GT(checked, kSessions / 2) << "hardly anything was asked";
+  RecordProperty("killed_in_the_middle", killed);
+  EXPECT_GT(killed, kSessions / 3) << "hardly any was killed in the middle";
 }
 
 }  // namespace
