@@ -58,6 +58,7 @@ if(TARGET coppice-edit)
   set(CPACK_COMPONENT_EDITOR_DESCRIPTION "Edits trees, and shows them live and in replay.")
   set(CPACK_DEBIAN_EDITOR_PACKAGE_DEPENDS
       "coppice (= ${PROJECT_VERSION}), fonts-dejavu-core, fonts-font-awesome")
+  set(CPACK_DEBIAN_EDITOR_PACKAGE_RECOMMENDS "fonts-wqy-microhei | fonts-noto-cjk")
 endif()
 
 if(COPPICE_WEB)

@@ -166,7 +166,7 @@ class WindowLoop {
 
 // What is missing after all is baked when it is drawn. A pipe is left for who opens it: it can be
 // read only once.
-std::vector<ImWchar> UnusualIn(const std::vector<std::string>& files) {
+CharacterSet UnusualIn(const std::vector<std::string>& files) {
   constexpr std::size_t kLongest = std::size_t{8} << 20;  // larger ones are not what is shown first
   std::string texts;
   for (const std::string& file : files) {
@@ -191,7 +191,7 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
   auto fonts = std::async(
       std::launch::async,
       [scale = ShownScale(editor_options.settings.scale, ScaleOfScreen()), files = options.files] {
-        return std::make_shared<const Fonts>(scale, Characters::kUsual, UnusualIn(files));
+        return std::make_shared<const Fonts>(scale, UnusualIn(files));
       });
   GlfwWindow window(editor_options.settings.width, editor_options.settings.height);
   if (!window.get()) {

@@ -17,6 +17,7 @@
 #include "editor/canvas/tree_view.h"
 #include "editor/canvas/visible_nodes.h"
 #include "editor/live/heat_map.h"
+#include "editor/live/values/port_values.h"
 #include "editor/theme/ui.h"
 
 namespace coppice::editor {
@@ -26,6 +27,7 @@ struct CanvasOptions {
   bool wheel_zooms = false;
   Box occupied;  ///< by what lies over the canvas, on the screen; the minimap keeps clear of it
   const TreeSnapshot* live = nullptr;            ///< null: no statuses
+  const PortValues* port_values = nullptr;       ///< null: ports show their keys
   const std::vector<Badge>* badges = nullptr;    ///< by node of the scene; null or empty: none
   const HeatMap* heat = nullptr;                 ///< null: headers in the colours of the shapes
   const std::vector<Change>* changes = nullptr;  ///< by node of the scene; null: none

@@ -66,6 +66,7 @@ NodeLook LookOf(const TreeView& view, const CanvasOptions& options, std::uint32_
   look.offline = options.live && !options.live->is_fresh;
   look.badge = BadgeOf(options, node);
   look.change = ChangeOf(options, node);
+  look.port_values = options.port_values;
   if (options.heat && node < options.heat->values.size()) {
     look.has_heat = true;
     look.heat = options.heat->values[node];

@@ -43,7 +43,8 @@ class Mouse {
     }
     const bool idle = !ImGui::IsAnyMouseDown() && view_.gesture.kind == Gesture::Kind::kNone;
     if (over && hovered_ && idle) {
-      DrawNodeTooltip(ui_, scene_, HoveredNode(), StateOf(options_.live, HoveredNode()));
+      DrawNodeTooltip(ui_, scene_, HoveredNode(), StateOf(options_.live, HoveredNode()),
+                      options_.port_values);
     }
   }
 

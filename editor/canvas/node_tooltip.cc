@@ -9,7 +9,7 @@ constexpr float kWidth = 340;
 constexpr std::size_t kLongestValue = 500;  // bytes
 
 void Line(const Ui& ui, Face face, Color color, const std::string& text) {
-  ImGui::PushFont(ui.fonts.Pick(face, 12 * ui.scale));
+  ImGui::PushFont(ui.fonts.For(text, face, 12 * ui.scale));
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
@@ -26,9 +26,10 @@ std::string StatusText(const Ui& ui, const NodeState& state) {
   return std::string(ToString(state.status)) + " for " + DurationText(seconds);
 }
 
-void Port(const Ui& ui, const PortLine& port) {
+void Port(const Ui& ui, const PortLine& port, const std::string& now) {
   const std::string line = std::string(port.name) + " = " + BeginningOf(port.value, kLongestValue);
   Line(ui, Face::kMono, ui.palette.text, line);
+  if (!now.empty()) Line(ui, Face::kMono, ui.palette.OfKey(port.key), "    = " + now);
   if (!port.model) return;
   std::string about = std::string("    ") + ToString(port.model->direction);
   if (!port.model->type.empty()) about += " " + port.model->type;
@@ -39,7 +40,7 @@ void Port(const Ui& ui, const PortLine& port) {
 }  // namespace
 
 void DrawNodeTooltip(const Ui& ui, const Scene& scene, const SceneNode& node,
-                     const NodeState& state) {
+                     const NodeState& state, const PortValues* values) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kWidth * ui.scale);
   Line(ui, Face::kBold, ui.palette.text, std::string(node.name));
@@ -56,7 +57,10 @@ void DrawNodeTooltip(const Ui& ui, const Scene& scene, const SceneNode& node,
     Line(ui, Face::kSans, ui.palette.text, node.model->description);
   }
   if (!node.note.empty()) Line(ui, Face::kSans, ui.palette.text_dim, node.note);
-  for (std::uint32_t i = 0; i < node.port_count; ++i) Port(ui, scene.ports[node.first_port + i]);
+  for (std::uint32_t i = 0; i < node.port_count; ++i) {
+    const std::uint32_t port = node.first_port + i;
+    Port(ui, scene.ports[port], values ? values->Of(port) : std::string());
+  }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

@@ -255,6 +255,7 @@ class RunCommands {
   void AddViews() {
     AddTab("run.why", "Why", {'W'}, RunTab::kWhy);
     AddTab("run.running", "Running now", {'N'}, RunTab::kRunning);
+    AddTab("run.robots", "Robots: those that need somebody first", {'O'}, RunTab::kRobots);
     AddTab("run.hooks", "Breakpoints and faults", {'K'}, RunTab::kHooks);
     AddTab("run.statistics", "Statistics", {'S'}, RunTab::kStatistics);
     AddTab("run.comparison", "Comparison", {}, RunTab::kComparison);

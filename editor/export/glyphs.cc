@@ -23,7 +23,8 @@ struct FontFile {
   void Read(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     bytes.assign(std::istreambuf_iterator<char>(stream), {});
-    good = !bytes.empty() && stbtt_InitFont(&info, bytes.data(), 0);
+    good = !bytes.empty() &&
+           stbtt_InitFont(&info, bytes.data(), stbtt_GetFontOffsetForIndex(bytes.data(), 0));
   }
 };
 
@@ -58,6 +59,22 @@ void AddStep(const stbtt_vertex& v, Point from, Point origin, float scale,
 struct Glyphs::Files {
   std::array<FontFile, 3> faces;
   FontFile icons;
+  FontFile east_asian;
+  float east_asian_size = 1;
+
+  const FontFile& Of(std::uint32_t code, Face face) const {
+    if (IsIcon(code)) return icons;
+    const bool is_known = code < 0x10000;
+    if (is_known && IsEastAsian(static_cast<ImWchar>(code))) return east_asian;
+    return faces[static_cast<std::size_t>(face)];
+  }
+  // The fonts other than DejaVu are as high as one of its lines, as in editor/theme/fonts.h.
+  float Scale(const FontFile& font, float em) const {
+    constexpr float kEmOfLine = 0.859F;
+    if (&font == &icons) return stbtt_ScaleForPixelHeight(&font.info, em / kEmOfLine);
+    if (&font != &east_asian) return stbtt_ScaleForMappingEmToPixels(&font.info, em);
+    return stbtt_ScaleForPixelHeight(&font.info, em / kEmOfLine * east_asian_size);
+  }
 };
 
 Glyphs::Glyphs() : files_(std::make_unique<Files>()) {
@@ -65,6 +82,9 @@ Glyphs::Glyphs() : files_(std::make_unique<Files>()) {
   files_->faces[static_cast<std::size_t>(Face::kBold)].Read(TextFontFile("DejaVuSans-Bold.ttf"));
   files_->faces[static_cast<std::size_t>(Face::kMono)].Read(TextFontFile("DejaVuSansMono.ttf"));
   files_->icons.Read(IconFontFile());
+  const EastAsianFont east_asian = FindEastAsianFont();
+  files_->east_asian.Read(east_asian.file);
+  files_->east_asian_size = east_asian.size;
 }
 
 Glyphs::~Glyphs() = default;
@@ -75,12 +95,9 @@ std::vector<GlyphStep> Glyphs::OutlineOf(std::string_view utf8, Face face, float
   const std::vector<std::uint32_t> codes = CodePoints(utf8);
   const float left = at.x;
   for (const std::uint32_t code : codes) {
-    const FontFile& font =
-        IsIcon(code) ? files_->icons : files_->faces[static_cast<std::size_t>(face)];
+    const FontFile& font = files_->Of(code, face);
     if (!font.good) continue;
-    // The icon font has its em over the whole height of a line.
-    const float scale = IsIcon(code) ? stbtt_ScaleForPixelHeight(&font.info, em / 0.859F)
-                                     : stbtt_ScaleForMappingEmToPixels(&font.info, em);
+    const float scale = files_->Scale(font, em);
     stbtt_vertex* vertices = nullptr;
     const int count = stbtt_GetCodepointShape(&font.info, static_cast<int>(code), &vertices);
     Point from = at;

@@ -107,27 +107,38 @@ PictureMaker::PictureMaker(float pixels, std::shared_ptr<const Fonts> fonts)
 
 PictureMaker::~PictureMaker() { ImGui::DestroyContext(context_); }
 
-Drawing PictureMaker::Draw(const TreePainting& painting) const {
+// Texts are measured here: then it is known which characters they have.
+std::unique_ptr<const PictureMaker::Sheet> PictureMaker::LayOut(const TreePainting& painting) {
+  auto sheet = std::make_unique<const Sheet>(*fonts_, pixels_, painting);
+  CharacterSet characters = fonts_->TakeLacking();
+  if (characters.empty()) return sheet;
+  characters.insert(fonts_->more().begin(), fonts_->more().end());
+  fonts_ = std::make_shared<const Fonts>(pixels_, std::move(characters));
+  fonts_->UseInContext();
+  return std::make_unique<const Sheet>(*fonts_, pixels_, painting);
+}
+
+Drawing PictureMaker::Draw(const TreePainting& painting) {
   const WithContext current(context_);
-  const Sheet sheet(*fonts_, pixels_, painting);
+  const std::unique_ptr<const Sheet> sheet = LayOut(painting);
   Drawing drawing;
-  drawing.size = sheet.size() * pixels_;
-  drawing.background = sheet.palette().canvas;
-  DrawingPen pen(sheet.ui(), drawing);
-  sheet.Paint(pen, pixels_);
+  drawing.size = sheet->size() * pixels_;
+  drawing.background = sheet->palette().canvas;
+  DrawingPen pen(sheet->ui(), drawing);
+  sheet->Paint(pen, pixels_);
   return drawing;
 }
 
-Image PictureMaker::Paint(const TreePainting& painting, double most_pixels) const {
+Image PictureMaker::Paint(const TreePainting& painting, double most_pixels) {
   const WithContext current(context_);
-  const Sheet sheet(*fonts_, pixels_, painting);
-  const Point size = sheet.size();
+  const std::unique_ptr<const Sheet> sheet = LayOut(painting);
+  const Point size = sheet->size();
   const double area = static_cast<double>(size.x) * static_cast<double>(size.y);
   const auto by_area = static_cast<float>(std::sqrt(most_pixels / std::max(area, 1.0)));
   const float longest = kLongestSide / std::max({size.x, size.y, 1.0F});
   const float zoom = std::min({pixels_, by_area, longest});
   Image image = MakeImage(std::max(1, static_cast<int>(size.x * zoom)),
-                          std::max(1, static_cast<int>(size.y * zoom)), sheet.palette().canvas);
+                          std::max(1, static_cast<int>(size.y * zoom)), sheet->palette().canvas);
 
   // A frame of Dear ImGui with nothing in it but the list that is painted.
   ImGuiIO& io = ImGui::GetIO();
@@ -136,8 +147,8 @@ Image PictureMaker::Paint(const TreePainting& painting, double most_pixels) cons
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   ImGui::NewFrame();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  ScreenPen pen(sheet.ui(), list);
-  sheet.Paint(pen, zoom);
+  ScreenPen pen(sheet->ui(), list);
+  sheet->Paint(pen, zoom);
   ImGui::Render();
   Texture texture;
   unsigned char* alpha = nullptr;

@@ -2,7 +2,7 @@
 //
 //   TreePainting painting;
 //   painting.trees.push_back({&scene, "MainTree", nullptr});
-//   const PictureMaker maker(1);
+//   PictureMaker maker(1);
 //   WriteFile("tree.svg", ToSvg(maker.Draw(painting), glyphs));
 #ifndef COPPICE_EDITOR_EXPORT_TREE_PICTURE_H_
 #define COPPICE_EDITOR_EXPORT_TREE_PICTURE_H_
@@ -46,17 +46,19 @@ class PictureMaker {
   const std::string& error() const { return fonts_->error(); }
 
   /// The picture as shapes and texts.
-  Drawing Draw(const TreePainting& painting) const;
+  Drawing Draw(const TreePainting& painting);
 
   /// The picture as pixels. It is made smaller if it would have more than `most_pixels`, or be
   /// longer than 65500 pixels.
-  Image Paint(const TreePainting& painting, double most_pixels = 64e6) const;
+  Image Paint(const TreePainting& painting, double most_pixels = 64e6);
 
  private:
   class Sheet;
 
+  std::unique_ptr<const Sheet> LayOut(const TreePainting& painting);
+
   const float pixels_;
-  const std::shared_ptr<const Fonts> fonts_;
+  std::shared_ptr<const Fonts> fonts_;
   ImGuiContext* const context_;
 };
 

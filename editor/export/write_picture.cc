@@ -53,7 +53,7 @@ Outcome WritePicture(const TreePainting& painting, const std::string& path, floa
   if (!format) return Problem{"the name of a picture ends in " + std::string(kPictureEndings)};
   if (format == PictureFormat::kDot) return WriteText(path, ToDot(ScenesOf(painting)));
   if (format == PictureFormat::kMarkdown) return WriteText(path, ToMarkdown(ScenesOf(painting)));
-  const PictureMaker maker(format == PictureFormat::kPng ? pixels : 1);
+  PictureMaker maker(format == PictureFormat::kPng ? pixels : 1);
   if (!maker.error().empty()) return Problem{maker.error()};
   if (format == PictureFormat::kPng) return WritePng(maker.Paint(painting), path);
   const Glyphs glyphs;

@@ -1,5 +1,6 @@
 #include "editor/live/run_tree.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,17 @@ Forest ReadForest(const TreeDescription& description, Diagnostics& problems) {
   return Forest::FromDocuments(std::move(documents), description.main_tree);
 }
 
+// A question that is a key has no words yet.
+std::string WordsOf(const DescribedNode& node, const Forest& forest) {
+  if (node.document >= forest.documents().size()) return node.path;
+  const Document& document = *forest.documents()[node.document];
+  if (node.element >= document.elements().size()) return node.path;
+  const Attribute* const question =
+      document.FindAttribute(document.element(node.element), "question");
+  const bool has_words = question && !question->value.empty() && question->value[0] != '{';
+  return has_words ? std::string(question->value) : node.path;
+}
+
 }  // namespace
 
 RunTree::RunTree(std::shared_ptr<const TreeDescription> description, const NodeModels& known)
@@ -23,9 +35,22 @@ RunTree::RunTree(std::shared_ptr<const TreeDescription> description, const NodeM
       forest_(ReadForest(*description_, problems_)),
       models_(known) {
   for (const Document* document : forest_.documents()) models_.AddFrom(*document);
-  if (description_->models.empty()) return;
-  const auto models = Document::FromText(description_->models, "models", problems_);
-  if (models) models_.AddFrom(*models);
+  if (!description_->models.empty()) {
+    const auto models = Document::FromText(description_->models, "models", problems_);
+    if (models) models_.AddFrom(*models);
+  }
+  for (NodeIndex i{0}; i < description_->nodes.size(); ++i) {
+    const DescribedNode& node = description_->nodes[i];
+    if (AsksPeople(node.id, models_)) asking_.push_back({i, WordsOf(node, forest_)});
+  }
+}
+
+bool AsksPeople(std::string_view id, const NodeModels& models) {
+  if (id == "AskSupervisor" || id == "RequestHelp") return true;
+  const KnownModel* const model = models.Find(id);
+  if (!model) return false;
+  return std::any_of(model->metadata.begin(), model->metadata.end(),
+                     [](const auto& field) { return field.first == "asks"; });
 }
 
 const RecordedTree& RunTree::recorded() const {

@@ -5,6 +5,9 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "bt_core/analysis/recorded_tree.h"
 #include "bt_core/frames/tree_description.h"
@@ -13,6 +16,16 @@
 #include "editor/scene/scene.h"
 
 namespace coppice::editor {
+
+/// A leaf that asks people for help while it runs or fails.
+struct AskingNode {
+  NodeIndex node;
+  std::string words;  ///< its question as the tree has it, or its path
+};
+
+/// Whether leaves of that type do so: AskSupervisor and RequestHelp (bt_nodes/operators), and types
+/// whose model says so, <Metadata asks="people"/>.
+bool AsksPeople(std::string_view id, const NodeModels& models);
 
 class RunTree {
  public:
@@ -23,6 +36,7 @@ class RunTree {
   const Forest& forest() const { return forest_; }
   const NodeModels& models() const { return models_; }
   const Diagnostics& problems() const { return problems_; }
+  const std::vector<AskingNode>& asking() const { return asking_; }
 
   /// Compiled when it is asked for the first time.
   const RecordedTree& recorded() const;
@@ -32,6 +46,7 @@ class RunTree {
   Diagnostics problems_;
   Forest forest_;
   NodeModels models_;
+  std::vector<AskingNode> asking_;
   mutable std::optional<RecordedTree> recorded_;
 };
 

@@ -8,8 +8,8 @@
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/commands/menus.h"
 #include "editor/live/key_item.h"
-#include "editor/live/value_cache.h"
-#include "editor/live/value_table.h"
+#include "editor/live/values/value_cache.h"
+#include "editor/live/values/value_table.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
 #include "editor/panels/value_tree.h"
@@ -110,7 +110,7 @@ class Board {
     if (words.empty() && CountKeys() < kSearchedKeys && !HasLargeValue()) return;
     ImGui::SetCursorPos({6 * ui_.scale, 4 * ui_.scale});
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ui_.scale);
-    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 12 * ui_.scale));
+    ImGui::PushFont(ui_.fonts.For(words, Face::kSans, 12 * ui_.scale));
     ImGui::InputTextWithHint("##search", "search keys and values", &words);
     ui_.items.Add("blackboard/search",
                   {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
@@ -220,7 +220,7 @@ class Board {
       const double part = static_cast<double>(age.count()) * 1e-9 / kFlashSeconds;
       if (part < 1) {
         const auto left = static_cast<float>(1 - std::max(part, 0.0));
-        ui_.Fill(list, box, Fade(ui_.palette.running, 0.18F * left * left));
+        ui_.Fill(list, box, Fade(ui_.palette.accent, 0.15F * left * left));
       }
     }
     const float pad = 8 * ui_.scale;

@@ -43,6 +43,10 @@ class CanvasTile {
     options.wheel_zooms = state_.screen.wheel_zooms;
     if (const Box* label = ui_.items.Find("sim/chance_origin")) options.occupied = *label;
     options.live = state_.workspace.tree_state();
+    if (const RunView* const run = state_.workspace.run()) {
+      state_.canvas.port_values.Look(*run, view_.scene());
+      options.port_values = &state_.canvas.port_values;
+    }
     options.badges = &state_.canvas.badges.by_node;
     const NodeDrop drop(state_, ui_.now);
     if (TreeEditor(state_, ui_.now).CanEdit()) options.drop = &drop.handler();

@@ -3,43 +3,11 @@
 #include "editor/live/run_summary.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/widgets/panel.h"
+#include "editor/panels/widgets/run_dot.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {
-
-bool IsStopped(const RunView& run) { return run.stop().where != DebugStop::Where::kNowhere; }
-
-Color StateColor(const Ui& ui, const RunView& run) {
-  if (IsStopped(run)) return ui.palette.running;
-  switch (run.phase()) {
-    case RunPhase::kLive:
-      return ui.palette.success;
-    case RunPhase::kConnecting:
-    case RunPhase::kLoading:
-    case RunPhase::kRecord:
-      return ui.palette.accent;
-    case RunPhase::kSimulation:
-      return ui.palette.simulation;
-    case RunPhase::kReconnecting:
-      return ui.palette.text_dim;
-  }
-  return ui.palette.text_dim;
-}
-
-std::string StopText(const RunView& run) {
-  switch (run.stop().where) {
-    case DebugStop::Where::kNowhere:
-      return "";
-    case DebugStop::Where::kBetweenTicks:
-      return "PAUSED after tick " + std::to_string(run.stop().tick);
-    case DebugStop::Where::kBefore:
-      return "PAUSED before \"" + run.stop_path() + "\"";
-    case DebugStop::Where::kAfter:
-      return "PAUSED after \"" + run.stop_path() + "\"";
-  }
-  return "";
-}
 
 std::string ShortName(const RunView& run) {
   const std::string& name = run.name();
@@ -53,17 +21,18 @@ class Strip {
 
   void Draw() {
     const RunView* shown = state_.workspace.run();
-    const Color tint = shown ? StateColor(ui_, *shown) : ui_.palette.panel;
+    const Color tint = shown ? RunColor(ui_, *shown) : ui_.palette.panel;
     const bool stopped = shown && IsStopped(*shown);
     ui_.items.Add("strip", box_);
-    ui_.Fill(list_, box_, Mix(ui_.palette.panel, tint, stopped ? 0.28F : 0.10F));
+    ui_.Fill(list_, box_, Mix(ui_.palette.panel, tint, stopped ? 0.22F : 0.10F));
     ui_.Fill(list_, {box_.min, {box_.min.x + 3, box_.max.y}}, shown ? tint : ui_.palette.border);
     right_ = box_.max.x - 6 * ui_.scale;
     DrawFaults();
     if (shown) DrawControls(*shown);
+    DrawNeeds();
     float x = box_.min.x + 8 * ui_.scale;
     is_crowded_ = IsCrowded();
-    for (std::size_t i = 0; i < state_.workspace.runs().size(); ++i) {
+    for (std::size_t i = FirstTab(); i < state_.workspace.runs().size(); ++i) {
       if (x < right_ - 60 * ui_.scale) x = DrawTab(x, i);
     }
     DrawConnect(x);
@@ -106,6 +75,29 @@ class Strip {
     right_ = chip.min.x - 8 * ui_.scale;
   }
 
+  // How many robots need somebody, whichever of them is shown; a click lists them.
+  void DrawNeeds() {
+    std::size_t robots = 0;
+    std::size_t needing = 0;
+    auto most = RunNeed::Level::kNone;
+    for (const auto& run : state_.workspace.runs()) {
+      if (!run->source().is_robot()) continue;
+      const RunNeed::Level level = NeedOf(*run).level;
+      ++robots;
+      if (level != RunNeed::Level::kNone) ++needing;
+      most = std::max(most, level);
+    }
+    if (robots < 2) return;
+    const std::string text = needing == 0
+                                 ? Count(robots, "robot")
+                                 : std::string(icon::kWarning) + "  " + std::to_string(needing) +
+                                       " of " + Count(robots, "robot");
+    if (Button("strip/robots", text, needing > 0, needing > 0 ? NeedColor(ui_, most) : 0)) {
+      state_.commands.Run("run.robots");
+    }
+    ExplainCommand(ui_, state_.commands, "run.robots");
+  }
+
   void DrawControls(const RunView& run) {
     if (run.phase() == RunPhase::kLive) {
       if (Button("strip/step_node", "step node")) state_.commands.Run("run.step_node");
@@ -114,7 +106,7 @@ class Strip {
       ExplainCommand(ui_, state_.commands, "run.step_tick");
       const bool stopped = IsStopped(run);
       const std::string text = stopped ? "continue" : std::string(icon::kPause) + "  pause";
-      if (Button("strip/pause", text, stopped, stopped ? ui_.palette.running : 0)) {
+      if (Button("strip/pause", text, stopped, stopped ? ui_.palette.text : 0)) {
         state_.commands.Run("run.pause");
       }
       ExplainCommand(ui_, state_.commands, "run.pause");
@@ -129,10 +121,16 @@ class Strip {
     right_ -= 10 * ui_.scale;
   }
 
+  // Of the one that is shown more is said than that it needs somebody.
+  bool HasSign(const RunView& run) const {
+    return state_.workspace.run() != &run && NeedOf(run).level != RunNeed::Level::kNone;
+  }
+
   // With all that it tells, or with the name alone.
   float TabWidth(const RunView& run, bool whole) const {
     const float gap = 12 * ui_.scale;
     float width = 26 * ui_.scale + ui_.Width(ShortName(run), {Face::kBold, 12, 0}) + gap;
+    if (HasSign(run)) width += ui_.Width(icon::kWarning, {Face::kBold, 12, 0}) + gap;
     if (!whole) return width;
     const std::string tree = run.tree() ? run.tree()->description()->main_tree : "";
     const TextStyle plain{Face::kSans, 12, 0};
@@ -147,11 +145,27 @@ class Strip {
     return box_.min.x + width > right_ - 110 * ui_.scale;
   }
 
+  // The first one from which on there is room for the tab of the shown run.
+  std::size_t FirstTab() const {
+    const auto& runs = state_.workspace.runs();
+    float room = right_ - box_.min.x - 8 * ui_.scale;
+    std::size_t first = 0;
+    while (first < runs.size() && runs[first].get() != state_.workspace.run()) ++first;
+    if (first == runs.size()) return 0;
+    room -= TabWidth(*runs[first], true);
+    while (first > 0) {
+      room -= TabWidth(*runs[first - 1], !is_crowded_) + 6 * ui_.scale;
+      if (room < 0) break;
+      --first;
+    }
+    return first;
+  }
+
   // Returns the right end of the tab.
   float DrawTab(float x, std::size_t number) {
     const RunView& run = *state_.workspace.runs()[number];
     const bool shown = state_.workspace.run() == &run;
-    const Color color = StateColor(ui_, run);
+    const Color color = RunColor(ui_, run);
     const std::string tree = run.tree() ? run.tree()->description()->main_tree : "";
     const Color writing = shown ? ui_.palette.text : ui_.palette.text_dim;
     const TextStyle bold{Face::kBold, 12, writing};
@@ -168,14 +182,7 @@ class Strip {
       ui_.Fill(list_, tab, Mix(ui_.palette.panel, color, shown ? 0.22F : 0.10F), 4);
       if (shown) ui_.Frame(list_, tab, Mix(ui_.palette.panel, color, 0.55F), 4);
     }
-    const ImVec2 dot = {tab.min.x + 13 * ui_.scale, tab.center().y};
-    const bool is_there =
-        run.phase() != RunPhase::kReconnecting && run.phase() != RunPhase::kConnecting;
-    if (is_there) {
-      list_.AddCircleFilled(dot, 4.5F * ui_.scale, color);
-    } else {
-      list_.AddCircle(dot, 4.5F * ui_.scale, color, 0, 1.5F * ui_.scale);
-    }
+    DrawRunDot(ui_, list_, {tab.min.x + 13 * ui_.scale, tab.center().y}, run);
     float at = tab.min.x + 26 * ui_.scale;
     const auto write = [&](const std::string& text, const TextStyle& style) {
       const float room = tab.max.x - at - 4 * ui_.scale;
@@ -184,6 +191,7 @@ class Strip {
       }
     };
     write(name, bold);
+    if (HasSign(run)) write(icon::kWarning, {Face::kBold, 12, NeedColor(ui_, NeedOf(run).level)});
     if (shown || !is_crowded_) {
       if (!tree.empty()) write(tree, plain);
       write(about, plain);
@@ -196,6 +204,8 @@ class Strip {
   // Nothing that the tab tells itself.
   void Explain(const RunView& run, bool is_cut) const {
     std::string text = is_cut || ShortName(run) != run.name() ? run.name() : "";
+    const std::string asked = NeedOf(run).why;
+    if (asked.rfind("asks: ", 0) == 0) text += "\n" + asked;
     const LiveConnection& connection = run.connection();
     if (!connection.problem.empty()) text += "\n" + connection.problem;
     if (!connection.refusal.empty()) text += "\ncannot be controlled: " + connection.refusal;

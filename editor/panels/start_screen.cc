@@ -98,7 +98,7 @@ class StartScreen {
  private:
   // Broken into lines, each in the middle.
   void Centered(const std::string& text, const TextStyle& style) {
-    const ImFont* font = ui_.fonts.Pick(style.face, style.size * ui_.scale);
+    const ImFont* font = ui_.fonts.For(text, style.face, style.size * ui_.scale);
     const char* at = text.data();
     const char* const end = at + text.size();
     while (at < end) {

@@ -73,7 +73,7 @@ class TopBar {
     if (run->source().is_simulation()) return {"SIM", ui_.palette.simulation};
     const bool is_now = run->playhead().is_at_now();
     if (is_now && run->stop().where != DebugStop::Where::kNowhere) {
-      return {"PAUSED", ui_.palette.running};
+      return {"PAUSED", ui_.palette.text};
     }
     if (is_now && run->phase() == RunPhase::kLive) return {"LIVE", ui_.palette.success};
     const RunPhase phase = run->phase();

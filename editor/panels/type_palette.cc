@@ -39,7 +39,7 @@ std::size_t KindOf(const TypeChoice& type) {
 void DrawFilter(const Ui& ui, EditorState& state) {
   ImGui::SetCursorPos({6 * ui.scale, 4 * ui.scale});
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ui.scale);
-  ImGui::PushFont(ui.fonts.Pick(Face::kSans, 12 * ui.scale));
+  ImGui::PushFont(ui.fonts.For(state.input.type_filter, Face::kSans, 12 * ui.scale));
   ImGui::InputTextWithHint("##filter", "filter", &state.input.type_filter);
   ui.items.Add("types/filter", {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
   ImGui::PopFont();

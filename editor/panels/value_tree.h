@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "editor/live/value_cache.h"
+#include "editor/live/values/value_cache.h"
 #include "editor/theme/ui.h"
 
 namespace coppice::editor {

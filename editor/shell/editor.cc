@@ -63,10 +63,7 @@ bool IsAtRest(const EditorState& state) {
 
 Editor::Editor(EditorOptions options)
     : options_(std::move(options)),
-      fonts_(options_.fonts
-                 ? options_.fonts
-                 : std::make_shared<const Fonts>(
-                       ShownScale(options_.settings.scale, options_.scale), Characters::kUsual)),
+      fonts_(options_.fonts, ShownScale(options_.settings.scale, options_.scale)),
       context_(fonts_->MakeContext()),
       state_(
           [this](const Scene& scene, const SceneNode& node) {
@@ -163,7 +160,7 @@ bool Editor::Open(const std::string& path) {
 // That were opened: what is known of them beside their texts.
 void Editor::TakeInFiles() {
   for (const auto& [name, file] : state_.workspace.project().files()) {
-    if (fonts_->Lacks(file.text)) needs_all_characters_ = true;
+    fonts_.Expect(file.text);
   }
   history_store_.Restore(state_.workspace.project());
   state_.work.Look(state_.workspace.project());
@@ -285,25 +282,18 @@ void Editor::Frame(const InputEvents& input) {
     saves_after_typing_ = false;
     state_.commands.Run("file.save");
   }
-  if (!needs_all_characters_ && fonts_->Lacks(*ImGui::GetDrawData())) DrawAgainWithAllCharacters();
+  if (fonts_.AreLacking(state_.now)) DrawAgain();
 }
 
 // Fonts are baked for one scale. Boxes of nodes follow: their texts are not exactly twice as wide.
 void Editor::UseFonts() {
-  const float scale = ShownScale(state_.screen.scale, options_.scale);
-  const auto characters = needs_all_characters_ ? Characters::kAll : fonts_->characters();
-  const bool is_fit = characters == fonts_->characters() || cannot_bake_;
-  if (scale == fonts_->scale() && is_fit) return;
-  const bool was_given = options_.fonts && options_.fonts->scale() == scale &&
-                         options_.fonts->characters() == characters;
-  auto fonts = was_given ? options_.fonts : std::make_shared<const Fonts>(scale, characters);
-  if (!fonts->error().empty()) {
-    state_.Notify(fonts->error(), state_.now, true);
+  const Expected<bool> others =
+      fonts_.Fit(ShownScale(state_.screen.scale, options_.scale), state_.now);
+  if (!others) {
+    state_.Notify(others.problem(), state_.now, true);
     state_.screen.scale = fonts_->scale();
-    cannot_bake_ = true;
-    return;
   }
-  fonts_ = std::move(fonts);
+  if (!others || !*others) return;
   fonts_->UseInContext();
   state_.workspace.MeasureAgain(state_.now);
   if (Comparison* const shown = state_.canvas.comparison.get()) {
@@ -312,8 +302,7 @@ void Editor::UseFonts() {
 }
 
 // Nobody sees the frame with boxes in the place of letters.
-void Editor::DrawAgainWithAllCharacters() {
-  needs_all_characters_ = true;
+void Editor::DrawAgain() {
   InputEvents nothing;
   nothing.width = ImGui::GetIO().DisplaySize.x;
   nothing.height = ImGui::GetIO().DisplaySize.y;
@@ -450,7 +439,8 @@ double Editor::NextFrameIn() const {
   }
   if (state_.coverage.is_running() || IsLogBehind()) return 0;
   double next =
-      std::min(workspace.NextUpdateIn(state_.now), state_.simulator.NextUpdateIn(state_.now));
+      std::min({workspace.NextUpdateIn(state_.now), state_.simulator.NextUpdateIn(state_.now),
+                fonts_.NextBakeIn(state_.now)});
   if (state_.notice.at + kNoticeSeconds > state_.now) {
     next = std::min(next, state_.notice.at + kNoticeSeconds - state_.now);
   }

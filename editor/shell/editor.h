@@ -26,6 +26,7 @@
 #include "editor/render/image.h"
 #include "editor/settings/project_session.h"
 #include "editor/settings/settings.h"
+#include "editor/theme/growing_fonts.h"
 #include "editor/theme/item_registry.h"
 #include "editor/workspace/editor_state.h"
 
@@ -33,8 +34,6 @@ struct ImDrawData;
 struct ImGuiContext;
 
 namespace coppice::editor {
-
-class Fonts;
 
 struct EditorOptions {
   Settings settings;                   ///< of this time
@@ -112,7 +111,7 @@ class Editor {
   void SetUpImGui();
   void Apply(const InputEvents& input);
   void UseFonts();
-  void DrawAgainWithAllCharacters();
+  void DrawAgain();
   void RunKeys();
   void PassText();
   void NoteAlt(const KeyEvent& key);
@@ -130,14 +129,12 @@ class Editor {
   void Remember(const std::string& path);
 
   const EditorOptions options_;
-  std::shared_ptr<const Fonts> fonts_;
+  GrowingFonts fonts_;
   ImGuiContext* const context_;
   std::string clipboard_;
   ItemRegistry items_;
   EditorState state_;
   InputQueue queue_;
-  bool needs_all_characters_ = false;  // fonts_ may have the usual ones alone
-  bool cannot_bake_ = false;           // the files of the fonts are gone
   HistoryStore history_store_;
   ProjectSession projects_;
   std::string kept_marks_;             // as they are in the file

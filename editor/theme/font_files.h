@@ -12,6 +12,13 @@ std::string TextFontFile(const char* name);
 /// The path of Font Awesome 4.7; empty if it is not installed.
 std::string IconFontFile();
 
+/// A font with the characters of East Asia, which DejaVu lacks.
+struct EastAsianFont {
+  std::string file;  ///< empty: none is installed
+  float size = 1;    ///< this many times the height of DejaVu, it suits to it
+};
+EastAsianFont FindEastAsianFont();
+
 }  // namespace coppice::editor
 
 #endif  // COPPICE_EDITOR_THEME_FONT_FILES_H_

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <set>
 #include <utility>
 
 #include "bt_core/base/read_file.h"
@@ -22,15 +21,8 @@ namespace {
 
 constexpr float kSizes[] = {7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 22, 25, 29, 34, 40};
 
-constexpr ImWchar kTextRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2026, 0x203A, 0x203A,
-                                   0x2190, 0x2193, 0x21C9, 0x21C9, 0x2248, 0x2248, 0x2260, 0x2265,
-                                   0x25A0, 0x25A1, 0x25AF, 0x25AF, 0x25B2, 0x25CF, 0};
-// · × – … › → ⇉, kMissing and kNowhere.
-constexpr ImWchar kUsualRanges[] = {0x0020, 0x007E, 0x00B7, 0x00B7, 0x00D7, 0x00D7, 0x2013,
-                                    0x2013, 0x2026, 0x2026, 0x203A, 0x203A, 0x2192, 0x2192,
-                                    0x21C9, 0x21C9, 0x25A1, 0x25A1, 0x25AF, 0x25AF, 0};
-constexpr ImWchar kMissing = 0x25A1;  // a square: for what could have been baked
-constexpr ImWchar kNowhere = 0x25AF;  // a narrow box: for what no font has
+constexpr ImWchar kNowhere = 0x25AF;    // a narrow box: for what no font has
+constexpr float kMostEastAsian = 2000;  // at scale 1: then the texture has 8000 rows
 constexpr ImWchar kIconRanges[] = {
     0xF002, 0xF002, 0xF00C, 0xF00D, 0xF017, 0xF017, 0xF01E, 0xF01E, 0xF021, 0xF021, 0xF048,
     0xF048, 0xF04B, 0xF04E, 0xF051, 0xF051, 0xF059, 0xF059, 0xF06A, 0xF06A, 0xF071, 0xF071,
@@ -69,42 +61,33 @@ bool Read(const std::string& path, std::string& bytes) {
   return !bytes.empty();
 }
 
-bool IsIn(const ImWchar* ranges, unsigned code) {
-  for (; *ranges != 0; ranges += 2) {
-    if (code >= ranges[0] && code <= ranges[1]) return true;
+// The usual characters, and those of these that DejaVu may have, as ranges.
+std::vector<ImWchar> TextRanges(const CharacterSet& more) {
+  std::vector<ImWchar> ranges;
+  for (const ImWchar* at = UsualCharacters(); *at != 0; ++at) ranges.push_back(*at);
+  for (const ImWchar code : more) {
+    if (!IsEastAsian(code)) ranges.insert(ranges.end(), {code, code});
   }
-  return false;
+  ranges.push_back(0);
+  return ranges;
 }
 
-// These ranges and the characters of a text, as ranges.
-std::vector<ImWchar> RangesOf(const ImWchar* ranges, const std::vector<ImWchar>& more) {
-  std::vector<ImWchar> all;
-  for (; *ranges != 0; ++ranges) all.push_back(*ranges);
-  for (const ImWchar code : more) all.insert(all.end(), {code, code});
-  all.push_back(0);
-  return all;
+// Those of East Asia, but no more than there is room for; ends with 0.
+std::vector<ImWchar> EastAsianRanges(const CharacterSet& more, float scale) {
+  const auto room = static_cast<std::size_t>(kMostEastAsian / (scale * scale));
+  std::vector<ImWchar> ranges;
+  for (const ImWchar code : more) {
+    if (IsEastAsian(code) && ranges.size() < 2 * room) ranges.insert(ranges.end(), {code, code});
+  }
+  ranges.push_back(0);
+  return ranges;
 }
 
 }  // namespace
 
-std::vector<ImWchar> UnusualCharacters(std::string_view text) {
-  const auto is_plain = [](char byte) { return static_cast<unsigned char>(byte) < 0x80; };
-  std::set<ImWchar> found;
-  auto at = std::find_if_not(text.begin(), text.end(), is_plain);
-  while (at != text.end()) {
-    unsigned code = 0;
-    at += ImTextCharFromUtf8(&code, &*at, text.data() + text.size());
-    if (!IsIn(kUsualRanges, code) && IsIn(kTextRanges, code)) {
-      found.insert(static_cast<ImWchar>(code));
-    }
-    at = std::find_if_not(at, text.end(), is_plain);
-  }
-  return {found.begin(), found.end()};
-}
-
-Fonts::Fonts(float scale, Characters characters, const std::vector<ImWchar>& more)
-    : scale_(scale), characters_(characters), atlas_(std::make_unique<ImFontAtlas>()) {
-  error_ = Load(more);
+Fonts::Fonts(float scale, CharacterSet more)
+    : scale_(scale), more_(std::move(more)), atlas_(std::make_unique<ImFontAtlas>()) {
+  error_ = Load();
 }
 
 ImGuiContext* Fonts::MakeContext() const {
@@ -121,7 +104,7 @@ void Fonts::UseInContext() const {
   ImGui::GetIO().FontDefault = usual_;
 }
 
-std::string Fonts::Load(const std::vector<ImWchar>& more) {
+std::string Fonts::Load() {
   ImFontAtlas& atlas = *atlas_;
 #ifdef COPPICE_HAS_FREETYPE
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
@@ -143,8 +126,7 @@ std::string Fonts::Load(const std::vector<ImWchar>& more) {
   } kFaces[] = {{"DejaVuSans.ttf", files_.sans, sans_, true},
                 {"DejaVuSans-Bold.ttf", files_.bold, bold_, true},
                 {"DejaVuSansMono.ttf", files_.mono, mono_, false}};
-  const std::vector<ImWchar> ranges =
-      RangesOf(characters_ == Characters::kAll ? kTextRanges : kUsualRanges, more);
+  const std::vector<ImWchar> ranges = TextRanges(more_);
   for (const float size : kSizes) sizes_.push_back(std::round(size * scale_));
   for (const auto& face : kFaces) {
     const std::string file = TextFontFile(face.file);
@@ -156,14 +138,50 @@ std::string Fonts::Load(const std::vector<ImWchar>& more) {
     Bake(face.text, face.with_icons ? &files_.icons : nullptr, sizes_, ranges.data(), atlas,
          face.fonts);
   }
+  const bool has_east_asian = AddEastAsian();
   if (!atlas.Build()) return "the fonts cannot be baked into a texture";
+  if (has_east_asian) ShareEastAsian();
   MarkMissing();
   usual_ = Pick(Face::kSans, 13 * scale_);
   return {};
 }
 
-// Instead of the question mark, which texts have too. Characters that are not baked here, but could
-// be, look otherwise than those that no font has: only for the first is it worth baking again.
+// Merged into the plain face alone. False if there are none, or no font for them.
+bool Fonts::AddEastAsian() {
+  east_asian_ = EastAsianRanges(more_, scale_);
+  const EastAsianFont font = FindEastAsianFont();
+  if (east_asian_.size() == 1 || !Read(font.file, files_.east_asian)) return false;
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.DstFont = sans_[i];
+    config.OversampleH = 1;
+    config.OversampleV = 1;
+#ifdef COPPICE_HAS_FREETYPE
+    config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_NoHinting;  // it takes most of the time
+#endif
+    AddFont(files_.east_asian, std::round(sizes_[i] * font.size), config, east_asian_.data(),
+            *atlas_);
+  }
+  return true;
+}
+
+// The other faces show the same pixels: there is no bold one, and each would need a texture as large.
+void Fonts::ShareEastAsian() {
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    for (ImFont* const font : {bold_[i], mono_[i]}) {
+      for (std::size_t k = 0; k + 1 < east_asian_.size(); k += 2) {
+        const ImFontGlyph* const glyph = sans_[i]->FindGlyphNoFallback(east_asian_[k]);
+        if (!glyph) continue;
+        font->AddGlyph(nullptr, east_asian_[k], glyph->X0, glyph->Y0, glyph->X1, glyph->Y1,
+                       glyph->U0, glyph->V0, glyph->U1, glyph->V1, glyph->AdvanceX);
+      }
+      font->BuildLookupTable();
+    }
+  }
+}
+
+// Instead of the question mark, which texts have too.
 void Fonts::MarkMissing() {
   constexpr auto kNone = static_cast<ImWchar>(-1);
   for (ImFont* const font : atlas_->Fonts) {
@@ -174,37 +192,13 @@ void Fonts::MarkMissing() {
     for (int code = 0; code < font->IndexLookup.Size; ++code) {
       if (font->IndexLookup[code] == kNone) font->IndexAdvanceX[code] = box->AdvanceX;
     }
-    if (characters_ == Characters::kAll) continue;
-    for (const ImWchar* range = kTextRanges; *range != 0; range += 2) {
-      for (ImWchar code = range[0]; code <= range[1]; ++code) {
-        if (!font->FindGlyphNoFallback(code)) font->AddRemapChar(code, kMissing);
-      }
-    }
   }
 }
 
-bool Fonts::Lacks(const ImDrawData& drawn) const {
-  if (characters_ == Characters::kAll) return false;
-  std::set<std::pair<float, float>> boxes;  // where they begin in the texture
-  for (const ImFont* const font : atlas_->Fonts) {
-    const ImFontGlyph* const box = font->FindGlyph(kMissing);
-    boxes.emplace(box->U0, box->V0);
+void Fonts::Note(std::string_view text) const {
+  for (const ImWchar code : UnusualCharacters(text)) {
+    if (more_.count(code) == 0) lacking_.insert(code);
   }
-  for (int i = 0; i < drawn.CmdListsCount; ++i) {
-    for (const ImDrawVert& corner : drawn.CmdLists[i]->VtxBuffer) {
-      if (boxes.count({corner.uv.x, corner.uv.y}) > 0) return true;
-    }
-  }
-  return false;
-}
-
-bool Fonts::Lacks(std::string_view text) const {
-  if (characters_ == Characters::kAll) return false;
-  const ImFont& font = *sans_.front();
-  const std::vector<ImWchar> unusual = UnusualCharacters(text);
-  return std::any_of(unusual.begin(), unusual.end(), [&](ImWchar code) {
-    return font.FindGlyph(code) == font.FindGlyph(kMissing);
-  });
 }
 
 ImFont* Fonts::Pick(Face face, float pixels) const {

@@ -200,10 +200,11 @@ Color Palette::OfKey(std::string_view key) const {
   std::uint32_t hash = 2166136261U;  // FNV-1a
   for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
   hash ^= hash >> 15;
-  constexpr std::uint32_t kOnDark[] = {0x63D2C6, 0x8FB7FF, 0xE2B06A, 0xC79BF2,
-                                       0x8FD37A, 0xF09CB5, 0x6CC7EA, 0xD8D070};
-  constexpr std::uint32_t kOnLight[] = {0x0B6E6A, 0x2457B0, 0x8A5600, 0x6A35A5,
-                                        0x2F7320, 0xA32C56, 0x0B6A91, 0x6B6400};
+  // No amber, which is RUNNING.
+  constexpr std::uint32_t kOnDark[] = {0x63D2C6, 0x8FB7FF, 0xE8A594, 0xC79BF2,
+                                       0x8FD37A, 0xF09CB5, 0x6CC7EA, 0xBFD06C};
+  constexpr std::uint32_t kOnLight[] = {0x0B6E6A, 0x2457B0, 0x96402A, 0x6A35A5,
+                                        0x2F7320, 0xA32C56, 0x0B6A91, 0x4F6600};
   const std::uint32_t choice = hash % std::size(kOnDark);
   return Rgb(is_dark ? kOnDark[choice] : kOnLight[choice]);
 }

@@ -28,31 +28,31 @@ bool IsInner(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; 
 }  // namespace
 
 float Ui::Width(std::string_view text, const TextStyle& style) const {
-  return WidthIn(fonts.Pick(style.face, style.size * scale), text);
+  return WidthIn(fonts.For(text, style.face, style.size * scale), text);
 }
 
 float Ui::ParagraphHeight(std::string_view text, const TextStyle& style, float width) const {
-  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const ImFont* font = fonts.For(text, style.face, style.size * scale);
   const char* end = text.data() + text.size();
   return font->CalcTextSizeA(font->FontSize, 1e9F, std::max(width, 1.0F), text.data(), end).y;
 }
 
 void Ui::Paragraph(ImDrawList& list, Point at, std::string_view text, const TextStyle& style,
                    float width) const {
-  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const ImFont* font = fonts.For(text, style.face, style.size * scale);
   list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, style.color, text.data(),
                text.data() + text.size(), std::max(width, 1.0F));
 }
 
 void Ui::Text(ImDrawList& list, Point at, std::string_view text, const TextStyle& style) const {
   if (text.empty()) return;
-  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const ImFont* font = fonts.For(text, style.face, style.size * scale);
   list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, style.color, text.data(),
                text.data() + text.size());
 }
 
 std::string Ui::Cut(std::string_view text, const TextStyle& style, float width) const {
-  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const ImFont* font = fonts.For(text, style.face, style.size * scale);
   if (WidthIn(font, text) <= width) return std::string(text);
   const float dots = WidthIn(font, icon::kEllipsis);
   if (dots > width) return {};
@@ -61,7 +61,7 @@ std::string Ui::Cut(std::string_view text, const TextStyle& style, float width) 
 }
 
 std::string Ui::CutStart(std::string_view text, const TextStyle& style, float width) const {
-  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const ImFont* font = fonts.For(text, style.face, style.size * scale);
   const float full = WidthIn(font, text);
   if (full <= width) return std::string(text);
   const float dots = WidthIn(font, icon::kEllipsis);
@@ -77,7 +77,7 @@ std::string Ui::CutStart(std::string_view text, const TextStyle& style, float wi
 float Ui::RowText(ImDrawList& list, Point at, float row_height, std::string_view text,
                   const TextStyle& style, float width) const {
   if (text.empty()) return 0;
-  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const ImFont* font = fonts.For(text, style.face, style.size * scale);
   const Point start = {std::round(at.x), std::round(at.y + (row_height - font->FontSize) / 2)};
   const float full = WidthIn(font, text);
   if (width <= 0 || full <= width) {

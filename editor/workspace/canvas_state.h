@@ -10,6 +10,7 @@
 
 #include "bt_core/base/diagnostic.h"
 #include "editor/canvas/paint/node_look.h"
+#include "editor/live/values/port_values.h"
 #include "editor/workspace/comparison.h"
 
 namespace coppice::editor {
@@ -40,6 +41,7 @@ struct SharedTree {
 struct CanvasState {
   SharedTree shared;
   CanvasBadges badges;
+  PortValues port_values;
   std::unique_ptr<Comparison> comparison;  ///< null: the tree itself is shown
   std::vector<CanvasTab> tabs;             ///< in the order of opening
 };

@@ -122,7 +122,17 @@ struct Tour {
 };
 
 /// What the run's tile shows.
-enum class RunTab { kWhy, kRunning, kHooks, kStatistics, kComparison, kCoverage, kLog, kTable };
+enum class RunTab {
+  kWhy,
+  kRunning,
+  kRobots,
+  kHooks,
+  kStatistics,
+  kComparison,
+  kCoverage,
+  kLog,
+  kTable
+};
 
 /// By which column a table is sorted; empty: as it came.
 struct TableSort {
@@ -154,7 +164,7 @@ struct RunTile {
 class ValueCache;
 
 struct BlackboardTile {
-  std::shared_ptr<ValueCache> values;  ///< live/value_cache.h; null: nothing was shown yet
+  std::shared_ptr<ValueCache> values;  ///< live/values/value_cache.h; null: nothing was shown yet
   bool selected_keys_only = false;
   std::string words;      ///< only keys with these in path or value; empty: all
   std::string shown_key;  ///< "blackboard/SCOPE/KEY" with its history

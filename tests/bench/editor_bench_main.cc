@@ -13,6 +13,9 @@
 //   FrameOfLargeValues  of a live tree whose 20 leaves read a key of 5 MB, with one of them in the
 //                       inspector; 1: a text, 2: JSON; and when it was written anew
 //   FrameOfLargePorts   of a file in which a port of the selected leaf has 5 MB; 1: the mouse is on
+//   FrameOf50Robots     each runs a tree of 200 nodes and sends a tick in every other frame
+//   FirstFrameOf        that of a file with 1: letters of Europe, 2: 100 Chinese characters; as a
+//                       window begins, which knows them before
 //   FirstLook           opens every tree with at most 80 nodes of a folder, --trees=FOLDER, else of
 //                       the project's own: which part of their names can be read as they open in a
 //                       window of 1280 x 800, and at which zoom
@@ -229,6 +232,61 @@ BENCHMARK(FrameOfLargePorts)
     ->Arg(1)
     ->ArgName("mouse")
     ->Iterations(60);
+
+// A tree of 200 leaves, as robots send it.
+std::string TreeOfARobot() {
+  std::string leaves;
+  for (int i = 2; i <= 200; ++i) {
+    leaves += "<Use name=\"use\" _uid=\"" + std::to_string(i) + "\"/>";
+  }
+  return R"(<root BTCPP_format="4"><BehaviorTree ID="Main" _fullpath=""><Sequence _uid="1">)" +
+         leaves + "</Sequence></BehaviorTree></root>";
+}
+
+void FrameOf50Robots(benchmark::State& state) {
+  Driver driver;
+  std::vector<ScriptedRobot*> robots;
+  for (int i = 1; i <= 50; ++i) {
+    robots.push_back(driver.AddRobot("robot-" + std::to_string(i) + ":1667", TreeOfARobot()));
+  }
+  driver.editor.state().run.tab = RunTab::kRobots;
+  driver.Frames(20);
+  std::uint32_t frame = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    ++frame;
+    for (std::size_t i = frame % 2; i < robots.size(); i += 2) {
+      EventWriter words;
+      const NodeIndex node(1 + frame % 199);
+      words.Status(node, Status::kRunning);
+      words.Status(node, Status::kSuccess);
+      words.Reset(node);
+      robots[i]->Tick(words.words());
+    }
+    state.ResumeTiming();
+    driver.editor.Frame(driver.input);
+  }
+}
+BENCHMARK(FrameOf50Robots)->Unit(benchmark::kMillisecond)->Iterations(300);
+
+void FirstFrameOf(benchmark::State& state) {
+  std::string name = "Tür Ждать";
+  if (state.range(0) == 2) {
+    for (int i = 0; i < 100; ++i)
+      name += {'\xE6', static_cast<char>(0x88 + i / 64), static_cast<char>(0x80 + i % 64)};
+  }
+  std::string text = kSmallFile;
+  text.replace(text.find("round"), 5, name);
+  const TemporaryFile file("small.xml", text);
+  for (auto _ : state) {
+    EditorOptions options;
+    options.fonts = std::make_shared<const Fonts>(1, UnusualCharacters(text));
+    Editor editor(std::move(options));
+    editor.Open(file.path());
+    editor.Frame({});
+  }
+}
+BENCHMARK(FirstFrameOf)->Unit(benchmark::kMillisecond)->Arg(1)->Arg(2)->ArgName("kind");
 
 constexpr std::uint32_t kSmallTree = 80;  // nodes
 std::string trees_folder = "trees";

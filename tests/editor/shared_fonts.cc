@@ -8,7 +8,7 @@ namespace coppice::editor {
 std::shared_ptr<const Fonts> SharedFonts(float scale) {
   static std::map<float, std::shared_ptr<const Fonts>> baked;
   std::shared_ptr<const Fonts>& fonts = baked[scale];
-  if (!fonts) fonts = std::make_shared<const Fonts>(scale);
+  if (!fonts) fonts = std::make_shared<const Fonts>(scale, Alphabets());
   return fonts;
 }
 

@@ -1,5 +1,6 @@
 #include "editor/canvas/paint/node_lines.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,7 @@ class LinesPainter {
     }
     const float column = Z(NameColumn(pen_.ui, scene_, node_) + metrics::kColumnGap);
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
-      const Box row = PortBox(scene_, node_, look_, i);
-      PaintPort(scene_.ports[node_.first_port + i], row.min, column);
+      PaintPort(node_.first_port + i, PortBox(scene_, node_, look_, i), column);
     }
   }
 
@@ -37,7 +37,9 @@ class LinesPainter {
     return {face, Z(size) / pen_.ui.scale, color};
   }
 
-  void PaintPort(const PortLine& port, Point at, float column) {
+  void PaintPort(std::uint32_t number, const Box& row, float column) {
+    const PortLine& port = scene_.ports[number];
+    const Point at = row.min;
     pen_.RowText(at, Z(metrics::kLine), port.name,
                  Style(Face::kSans, metrics::kNameSize, colors().text_dim));
     Point value_at = at + Point{column, 0};
@@ -46,7 +48,11 @@ class LinesPainter {
       pen_.RowText(value_at - Point{Z(12), 0}, Z(metrics::kLine), icon::kRightArrow, arrow);
     }
     const std::vector<std::string> lines = ValueLines(port, look_.whole_values);
-    if (!port.key.empty()) return PaintChip(port, lines.front(), value_at);
+    if (!port.key.empty()) {
+      const std::string value = look_.port_values ? look_.port_values->Of(number) : std::string();
+      const std::string& text = value.empty() ? lines.front() : value;
+      return PaintChip(port, text, {value_at, row.max});
+    }
     for (const std::string& line : lines) {
       pen_.RowText(value_at, Z(metrics::kLine), line,
                    Style(Face::kMono, metrics::kValueSize, colors().text));
@@ -54,15 +60,18 @@ class LinesPainter {
     }
   }
 
-  void PaintChip(const PortLine& port, const std::string& value, Point at) {
+  // A value that is longer than its key is cut: nodes keep their sizes while it changes.
+  void PaintChip(const PortLine& port, const std::string& value, const Box& room) {
+    const Point at = room.min;
     const bool lit = !look_.lit_value.empty() && look_.lit_value == port.value;
     const Color key = colors().OfKey(port.key);
     const TextStyle style = Style(Face::kMono, metrics::kValueSize, lit ? colors().node_body : key);
     const Box chip = {at + Point{0, Z(2)},
-                      at + Point{pen_.Width(value, style) + Z(10), Z(metrics::kLine - 2)}};
+                      at + Point{std::min(pen_.Width(value, style) + Z(10), room.width() + Z(1)),
+                                 Z(metrics::kLine - 2)}};
     pen_.FillBox(chip, lit ? key : Mix(colors().node_body, key, 0.16F), Z(4));
     pen_.FrameBox(chip, Mix(colors().node_body, key, lit ? 1.0F : 0.5F), Z(4));
-    pen_.RowText(at + Point{Z(5), 0}, Z(metrics::kLine), value, style);
+    pen_.RowText(at + Point{Z(5), 0}, Z(metrics::kLine), value, style, chip.width() - Z(10) + 1);
   }
 
   Pen& pen_;

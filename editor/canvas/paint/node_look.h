@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "editor/live/tree_snapshot.h"
+#include "editor/live/values/port_values.h"
 #include "editor/theme/geometry.h"
 
 namespace coppice::editor {
@@ -31,9 +32,10 @@ struct NodeLook {
   Badge hidden_badge = Badge::kNone;  ///< the worst of the hidden ones
   Change change = Change::kNone;
   bool has_heat = false;
-  float heat = 0;              ///< 0 to 1; negative: never ticked
-  float strength = 1;          ///< less: others are to be seen
-  std::string_view lit_value;  ///< ports with that value are lit; empty: none
+  float heat = 0;                           ///< 0 to 1; negative: never ticked
+  float strength = 1;                       ///< less: others are to be seen
+  std::string_view lit_value;               ///< ports with that value are lit; empty: none
+  const PortValues* port_values = nullptr;  ///< in the place of keys; null: none
 };
 
 }  // namespace coppice::editor

@@ -23,13 +23,13 @@ void Pen::Hatch(const Box& box, Color color, float distance) {
 
 void Pen::Text(Point at, std::string_view text, const TextStyle& style) {
   if (text.empty()) return;
-  const ImFont& font = *ui.fonts.Pick(style.face, style.size * ui.scale);
+  const ImFont& font = *ui.fonts.For(text, style.face, style.size * ui.scale);
   Glyphs(at, text, style.face, font, style.color);
 }
 
 void Pen::RowText(Point at, float row_height, std::string_view text, const TextStyle& style,
                   float width) {
-  const ImFont& font = *ui.fonts.Pick(style.face, style.size * ui.scale);
+  const ImFont& font = *ui.fonts.For(text, style.face, style.size * ui.scale);
   at.y += (row_height - font.FontSize) / 2;
   if (width <= 0 || ui.Width(text, style) <= width) {
     Text(at, text, style);

@@ -63,9 +63,10 @@ bool IsFading(const NodeState& state, Time now) {
 
 Color HeatColor(const Palette& palette, float heat) {
   const float t = std::clamp(heat, 0.0F, 1.0F);
-  const Color hot = palette.is_dark ? 0xFFB0F0FF : 0xFF0A2A8A;
-  return t < 0.5F ? Mix(palette.node_border, palette.running, t * 2)
-                  : Mix(palette.running, hot, t * 2 - 1);
+  // Through magenta: amber is what runs.
+  const Color warm = palette.is_dark ? 0xFF8A3CC0 : 0xFF8030B0;
+  const Color hot = palette.is_dark ? 0xFFF4DCFF : 0xFF300048;
+  return t < 0.5F ? Mix(palette.node_border, warm, t * 2) : Mix(warm, hot, t * 2 - 1);
 }
 
 }  // namespace coppice::editor

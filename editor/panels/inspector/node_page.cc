@@ -286,10 +286,19 @@ class NodePage {
   }
 
   void ShowPort(const std::string& name, std::string_view value, const PortModel* model) {
+    const std::string now = ValueNow(name);
     const Row row =
-        ValueRow(ui_, "inspector/port/" + name, name, BeginningOf(value, kLongestTooltip),
+        ValueRow(ui_, "inspector/port/" + name, name,
+                 BeginningOf(value, kLongestTooltip) + (now.empty() ? "" : "  = " + now),
                  {Face::kMono, 11, ColorOf(name, value)});
     if (row.hovered) PortTooltip(model, value);
+  }
+
+  // What the key of a port holds in the run; empty if there is no run, or nothing is known.
+  std::string ValueNow(std::string_view name) const {
+    const PortLine* const given = Given(name);
+    if (!state_.workspace.run() || !given) return {};
+    return state_.canvas.port_values.Of(static_cast<std::uint32_t>(given - scene_->ports.data()));
   }
 
   void DrawScripts() {

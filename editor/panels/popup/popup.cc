@@ -193,15 +193,18 @@ class PopupWindow {
       case Popup::kNone:
         break;
     }
-    if (state_.popup.error.empty()) return;
+    const std::string& error = state_.popup.error;
+    if (error.empty()) return;
+    ImGui::PushFont(ui_.fonts.For(error, Face::kSans, 13 * ui_.scale));
     ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.error);
-    ImGui::TextUnformatted(state_.popup.error.c_str());
+    ImGui::TextUnformatted(error.c_str());
     ImGui::PopStyleColor();
+    ImGui::PopFont();
   }
 
   void Input() {
     const std::string asked = Asked();
-    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 12 * ui_.scale));
+    ImGui::PushFont(ui_.fonts.For(asked, Face::kSans, 12 * ui_.scale));
     ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.text_dim);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(asked.c_str());
@@ -212,7 +215,7 @@ class PopupWindow {
     if (!HasField()) return;
     if (is_new) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
+    ImGui::PushFont(ui_.fonts.For(state_.popup.text, Face::kSans, 14 * ui_.scale));
     ImGuiInputTextFlags flags =
         state_.popup.selects_text ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
     if (state_.popup.kind == Popup::kOpen) {  // whose Tab completes

@@ -10,6 +10,9 @@ namespace coppice::editor {
 /// The walk of the shown tick on the way to the selected node. "run/why/0", "run/why/change".
 void DrawWhy(const Ui& ui, EditorState& state, RunView& run);
 
+/// All robots, those that need somebody first, with the reason. "run/robots/ENDPOINT".
+void DrawRobots(const Ui& ui, EditorState& state, RunView& run);
+
 /// The leaves that run, the longest first. "run/running/PATH".
 void DrawRunning(const Ui& ui, EditorState& state, RunView& run);
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "editor/live/key_item.h"
-#include "editor/live/value_cache.h"
-#include "editor/live/value_table.h"
+#include "editor/live/values/value_cache.h"
+#include "editor/live/values/value_table.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/widgets/panel.h"
 

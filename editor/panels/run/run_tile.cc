@@ -13,10 +13,12 @@ struct Tab {
   const char* path;
   const char* title;
   void (*draw)(const Ui&, EditorState&, RunView&);
-  enum class Of : std::uint8_t { kAll, kRobots, kSimulations } of = Of::kAll;
+  enum class Of : std::uint8_t { kAll, kRobots, kSeveralRobots, kSimulations } of = Of::kAll;
 
-  bool IsFor(const RunView* run) const {
+  bool IsFor(const Workspace& workspace) const {
+    const RunView* const run = workspace.run();
     const bool is_simulation = run && run->source().is_simulation();
+    if (of == Of::kSeveralRobots) return workspace.runs().size() > 1;
     return of == Of::kAll || (of == Of::kSimulations) == is_simulation;
   }
 };
@@ -24,6 +26,7 @@ struct Tab {
 constexpr Tab kTabs[] = {
     {RunTab::kWhy, "run/why", "WHY", DrawWhy},
     {RunTab::kRunning, "run/running", "RUNNING", DrawRunning},
+    {RunTab::kRobots, "run/robots", "ROBOTS", DrawRobots, Tab::Of::kSeveralRobots},
     {RunTab::kHooks, "run/hooks", "BREAKPOINTS", DrawHooks, Tab::Of::kRobots},
     {RunTab::kLog, "run/log", "LOG", DrawLog},
     {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
@@ -36,6 +39,7 @@ constexpr Tab kTabs[] = {
 void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
   RunView* run = state.workspace.run();
   Panel(ui, "run", box, "", "", [&] {
+    if (run && state.run.tab == RunTab::kRobots) return DrawRobots(ui, state, *run);
     // Why the robot is not there.
     if (run && !run->connection().problem.empty()) {
       TextRow(ui, "run/problem", run->connection().problem, {Face::kBold, 12, ui.palette.warning});
@@ -51,7 +55,7 @@ void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
   });
   float x = box.min.x + 4 * ui.scale;
   for (const Tab& tab : kTabs) {
-    if (!tab.IsFor(run)) continue;
+    if (!tab.IsFor(state.workspace)) continue;
     const float width = ui.Width(tab.title, {Face::kSans, 12, 0}) + 12 * ui.scale;
     const Box at = {{x, box.min.y + 2 * ui.scale},
                     {x + width, box.min.y + (kPanelHeader - 2) * ui.scale}};

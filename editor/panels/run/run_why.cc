@@ -84,8 +84,7 @@ void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
     Hint(ui, "Nothing was ticked in " + tick + ".");
   for (std::size_t i = 0; i < why.lines().size(); ++i) DrawLine(ui, state, why.lines()[i], i);
   if (why.stands().empty()) return;
-  const Row row =
-      TextRow(ui, "run/why/stands", why.stands(), {Face::kBold, 12, ui.palette.running});
+  const Row row = TextRow(ui, "run/why/stands", why.stands(), {Face::kBold, 12, ui.palette.text});
   if (row.clicked) SelectRunNode(state, why.stands_at());
 }
 

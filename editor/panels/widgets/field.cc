@@ -152,7 +152,7 @@ class FieldDrawer {
     std::string buffer = is_typing ? state_.input.typing.text : value_;
     ImGui::SetCursorScreenPos(ToIm(rest_.min));
     ImGui::SetNextItemWidth(rest_.width());
-    ImGui::PushFont(ui_.fonts.Pick(Face::kMono, 11 * ui_.scale));
+    ImGui::PushFont(ui_.fonts.For(buffer, Face::kMono, 11 * ui_.scale));
     ImGui::PushStyleColor(ImGuiCol_Text, look_.color);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ui_.palette.field);
     ImGui::PushStyleColor(ImGuiCol_Border, ui_.palette.border);

@@ -61,7 +61,7 @@ void Hint(const Ui& ui, std::string_view text) {
   ImGui::SetCursorPos({8 * ui.scale, ImGui::GetCursorPosY() + 6 * ui.scale});
   ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.text_dim);
   ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - 8 * ui.scale);
-  ImGui::PushFont(ui.fonts.Pick(Face::kSans, 12 * ui.scale));
+  ImGui::PushFont(ui.fonts.For(text, Face::kSans, 12 * ui.scale));
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopFont();
   ImGui::PopTextWrapPos();
@@ -85,7 +85,7 @@ void Tooltip(const Ui& ui, std::string_view text) {
   const float pad = 8 * ui.scale;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, 0.75F * pad});
   ImGui::BeginTooltip();
-  ImGui::PushFont(ui.fonts.Pick(Face::kSans, 12 * ui.scale));
+  ImGui::PushFont(ui.fonts.For(text, Face::kSans, 12 * ui.scale));
   ImGui::PushTextWrapPos(kTooltipWidth * ui.scale);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopTextWrapPos();

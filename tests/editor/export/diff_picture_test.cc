@@ -33,7 +33,7 @@ TEST(DiffPicture, MarksEachKindOfChange) {
   const DiffPicture picture(trees);
   TreePainting painting;
   picture.AddTo(painting);
-  const PictureMaker maker(1, SharedFonts(1));
+  PictureMaker maker(1, SharedFonts(1));
   const Drawing drawing = maker.Draw(painting);
   for (const char* sign : {"+", "\u2013", "~", "1 \u2192 2"}) {
     EXPECT_TRUE(std::any_of(drawing.items.begin(), drawing.items.end(), [&](const DrawnItem& item) {

@@ -39,6 +39,16 @@ TEST(Glyphs, KnowTheIcons) {
   EXPECT_FALSE(glyphs.OutlineOf("\xEF\x83\xA7", Face::kBold, 12, {0, 0}, 0).empty());
 }
 
+TEST(Glyphs, KnowTheCharactersOfEastAsia) {
+  const Glyphs glyphs;
+  for (const Face face : {Face::kSans, Face::kBold, Face::kMono}) {
+    const auto steps = glyphs.OutlineOf("\xE6\x88\xBF", face, 20, {0, 0}, 0);
+    ASSERT_FALSE(steps.empty());
+    EXPECT_GT(BoundsOf(steps).width(), 12);
+    EXPECT_LT(BoundsOf(steps).width(), 22);
+  }
+}
+
 TEST(Glyphs, NothingIsDrawnForBlanks) {
   EXPECT_TRUE(Glyphs().OutlineOf("  ", Face::kSans, 12, {0, 0}, 10).empty());
 }

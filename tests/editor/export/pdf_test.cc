@@ -12,7 +12,7 @@ namespace coppice::editor {
 namespace {
 
 std::string PdfOf(const std::string& xml) {
-  const PictureMaker maker(1, SharedFonts(1));
+  PictureMaker maker(1, SharedFonts(1));
   return ToPdf(maker.Draw(Painted(xml).painting), Glyphs());
 }
 

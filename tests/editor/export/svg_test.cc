@@ -10,7 +10,7 @@ namespace coppice::editor {
 namespace {
 
 std::string SvgOf(const std::string& xml) {
-  const PictureMaker maker(1, SharedFonts(1));
+  PictureMaker maker(1, SharedFonts(1));
   return ToSvg(maker.Draw(Painted(xml).painting), Glyphs());
 }
 

@@ -29,7 +29,7 @@ std::size_t Outside(const Drawing& drawing) {
 }
 
 TEST(TreePicture, WritesEveryNameKeyAndTitle) {
-  const PictureMaker maker(1, SharedFonts(1));
+  PictureMaker maker(1, SharedFonts(1));
   ASSERT_EQ(maker.error(), "");
   const Painted painted(kTree, "Doors");
   const Drawing drawing = maker.Draw(painted.painting);
@@ -40,14 +40,14 @@ TEST(TreePicture, WritesEveryNameKeyAndTitle) {
 }
 
 TEST(TreePicture, MakesRoomForATitleThatIsWiderThanItsTree) {
-  const PictureMaker maker(1, SharedFonts(1));
+  PictureMaker maker(1, SharedFonts(1));
   const std::string title(200, 'W');
   const Painted painted("<A/>", title);
   EXPECT_EQ(Outside(maker.Draw(painted.painting)), 0U);
 }
 
 TEST(TreePicture, PutsTreesBelowEachOther) {
-  const PictureMaker maker(1, SharedFonts(1));
+  PictureMaker maker(1, SharedFonts(1));
   Painted painted(kTree, "One");
   const float height = maker.Draw(painted.painting).size.y;
   painted.painting.trees.push_back({painted.scene.get(), "Two", nullptr});
@@ -58,8 +58,8 @@ TEST(TreePicture, PutsTreesBelowEachOther) {
 
 TEST(TreePicture, PaintsTheSamePixelsTwice) {
   const Painted painted(kTree, "Doors");
-  const PictureMaker one(2);
-  const PictureMaker other(2);
+  PictureMaker one(2);
+  PictureMaker other(2);
   const Image image = one.Paint(painted.painting);
   EXPECT_EQ(HashOf(image), HashOf(one.Paint(painted.painting)));
   EXPECT_EQ(HashOf(image), HashOf(other.Paint(painted.painting)));
@@ -67,7 +67,7 @@ TEST(TreePicture, PaintsTheSamePixelsTwice) {
 
 TEST(TreePicture, HasSoManyPixelsAsAskedForAndNoMoreThanAllowed) {
   const Painted painted(kTree);
-  const PictureMaker maker(2, SharedFonts(2));
+  PictureMaker maker(2, SharedFonts(2));
   const Drawing drawing = PictureMaker(1).Draw(painted.painting);
   const Image image = maker.Paint(painted.painting);
   EXPECT_NEAR(static_cast<float>(image.width), 2 * drawing.size.x, 10);
@@ -77,7 +77,7 @@ TEST(TreePicture, HasSoManyPixelsAsAskedForAndNoMoreThanAllowed) {
 }
 
 TEST(TreePicture, MarksChanges) {
-  const PictureMaker maker(1, SharedFonts(1));
+  PictureMaker maker(1, SharedFonts(1));
   Painted painted("<A><B/></A>");
   const std::vector<Change> changes = {Change::kNone, Change::kAdded};
   painted.painting.trees[0].changes = &changes;
@@ -88,7 +88,7 @@ TEST(TreePicture, LeavesTheContextOfOthersAlone) {
   ImGuiContext* context = ImGui::CreateContext();
   ImGui::SetCurrentContext(context);
   {
-    const PictureMaker maker(1, SharedFonts(1));
+    PictureMaker maker(1, SharedFonts(1));
     maker.Draw(Painted("<A/>").painting);
     EXPECT_EQ(ImGui::GetCurrentContext(), context);
   }
@@ -100,7 +100,7 @@ TEST(TreePicture, PaintsATreeOfTenThousandNodes) {
   std::string xml = "<A>";
   for (int i = 0; i < 2000; ++i) xml += "<B><C/><D x='1'/><E/><F/></B>";
   const Painted painted(xml + "</A>");
-  const PictureMaker maker(2, SharedFonts(2));
+  PictureMaker maker(2, SharedFonts(2));
   const Image image = maker.Paint(painted.painting, 4e6);
   EXPECT_LE(image.width, 65500);
   EXPECT_GT(maker.Draw(painted.painting).items.size(), 50000U);

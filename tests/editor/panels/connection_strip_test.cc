@@ -26,6 +26,20 @@ TEST(ConnectionStrip, ShowsTheStateInColour) {
   EXPECT_EQ(driver.CountColor(driver.BoxOf("strip/one:1"), green), 0);
 }
 
+TEST(ConnectionStrip, IsNotAmberWhileTheRobotStandsForThatIsWhatRuns) {
+  Driver driver;
+  ScriptedRobot* const robot = driver.AddRobot("one:1", kLiveTree);
+  driver.Frames();
+  robot->Stop(NodeIndex(0));
+  driver.Frames();
+  driver.Picture("strip_paused");
+  ASSERT_TRUE(driver.Has("strip/stopped"));
+  const Color amber = GetPalette(PaletteName::kDark).running;
+  for (const char* path : {"strip", "bar/mode"}) {
+    EXPECT_EQ(driver.CountColor(driver.BoxOf(path), amber, 60), 0) << path;
+  }
+}
+
 TEST(ConnectionStrip, AsksWhereToConnect) {
   Driver driver;
   driver.Frames();

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-#include "editor/live/value_cache.h"
+#include "editor/live/values/value_cache.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {

@@ -6,6 +6,7 @@
 
 #include "tests/editor/driver.h"
 #include "tests/editor/executed_source.h"
+#include "tests/editor/gallery/drawn_text.h"
 #include "tests/editor/live/live_robot.h"
 
 namespace coppice::editor {
@@ -138,6 +139,36 @@ TEST(KeyOfTheSelectionStory, TheBlackboardShowsOnlyWhatTheNodeUses) {
   driver.Frames();
   EXPECT_TRUE(driver.Has("blackboard/Main/goal"));
   EXPECT_FALSE(driver.Has("blackboard/Main/weather"));
+}
+
+// What is written within the box of a node.
+std::string WrittenOn(const Driver& driver, const std::string& path) {
+  const Box box = driver.BoxOf(path);
+  std::string text;
+  for (const DrawnGlyph& glyph : DrawnText(driver.editor)) {
+    if (box.Contains(glyph.box.center()) && glyph.code < 0x80)
+      text += static_cast<char>(glyph.code);
+  }
+  return text;
+}
+
+TEST(LivePortsStory, PortsOfARunShowWhatTheirKeysHoldAndGoBackInTimeWithIt) {
+  Driver driver;
+  auto source = std::make_unique<ExecutedSource>("robot:1", R"(<BehaviorTree ID="Main"><Sequence>
+    <Script code="n := '0'"/><KeepRunningUntilFailure><Sequence><Do as="{n}"/>
+    <Script code="n = n + '1'"/></Sequence></KeepRunningUntilFailure></Sequence></BehaviorTree>)");
+  ExecutedSource& robot = *source;
+  driver.editor.AddRun(std::move(source));
+  robot.Ticks(3);
+  driver.Frames(20);
+  driver.Picture("live_ports");
+  const std::string node = "canvas/Main/1.2.1.1";
+  EXPECT_NE(WrittenOn(driver, node).find("0111"), std::string::npos) << WrittenOn(driver, node);
+  EXPECT_EQ(WrittenOn(driver, node).find("{n}"), std::string::npos);
+  driver.Press(kKeyLeft);
+  driver.Frames();
+  EXPECT_EQ(WrittenOn(driver, node).find("0111"), std::string::npos) << WrittenOn(driver, node);
+  EXPECT_NE(WrittenOn(driver, node).find("011"), std::string::npos) << WrittenOn(driver, node);
 }
 
 }  // namespace

@@ -13,6 +13,15 @@ namespace {
 class FontsTest : public testing::Test {
  protected:
   const Fonts fonts_{1};
+
+  // Whether all faces of these fonts have a glyph of the text's first unusual character.
+  static bool Have(const Fonts& fonts, const char* text) {
+    const ImWchar code = *UnusualCharacters(text).begin();
+    for (const Face face : {Face::kSans, Face::kBold, Face::kMono}) {
+      if (!fonts.Pick(face, 13)->FindGlyphNoFallback(code)) return false;
+    }
+    return true;
+  }
 };
 
 TEST_F(FontsTest, PicksTheLargestThatIsNotTooLarge) {
@@ -59,37 +68,52 @@ TEST_F(FontsTest, SeveralContextsWriteWithThem) {
   ImGui::DestroyContext(first);
 }
 
-TEST_F(FontsTest, LackNothingIfTheyHaveAllCharacters) {
-  EXPECT_FALSE(fonts_.Lacks("T\xC3\xBCr"));
-  EXPECT_NE(fonts_.Pick(Face::kSans, 13)->FindGlyphNoFallback(0xFC), nullptr);
+TEST_F(FontsTest, NoteWhatIsWrittenAndNotBaked) {
+  fonts_.For("Door? <a/> 100 %", Face::kSans, 13);
+  fonts_.For(std::string("a") + icon::kEllipsis + icon::kMiddleDot + icon::kSearch, Face::kSans,
+             13);
+  EXPECT_EQ(fonts_.TakeLacking(), CharacterSet());
+  fonts_.For("T\xC3\xBCr", Face::kSans, 13);
+  EXPECT_EQ(fonts_.TakeLacking(), CharacterSet{0xFC});
+  EXPECT_EQ(fonts_.TakeLacking(), CharacterSet()) << "they were taken";
 }
 
-TEST(Fonts, OfUsualCharactersTellThatATextHasAnother) {
-  const Fonts fonts(1, Characters::kUsual);
-  ASSERT_EQ(fonts.error(), "");
-  EXPECT_FALSE(fonts.Lacks("Door? <a/> 100 %"));
-  EXPECT_FALSE(fonts.Lacks(std::string("a") + icon::kEllipsis + icon::kMiddleDot + icon::kSearch));
-  EXPECT_TRUE(fonts.Lacks("T\xC3\xBCr"));
+TEST_F(FontsTest, NoteNothingTwiceThatNoFontHas) {
+  const Fonts asked(1, {0x0F00});  // Tibetan
+  EXPECT_EQ(asked.Pick(Face::kSans, 13)->FindGlyphNoFallback(0x0F00), nullptr);
+  asked.For("\xE0\xBC\x80", Face::kSans, 13);
+  EXPECT_EQ(asked.TakeLacking(), CharacterSet());
 }
 
-TEST(Fonts, DoNotLackWhatNoFontHas) {
-  const Fonts fonts(1, Characters::kUsual);
-  for (const char* text : {"\xE6\x88\xBF", "\xF0\x9F\x9A\xAA", "cut off: \xC3"}) {
-    EXPECT_FALSE(fonts.Lacks(text)) << text;
+TEST_F(FontsTest, HaveTheLettersOfEuropeAndEastAsiaThatTheyAreAskedFor) {
+  for (const char* text :
+       {"\xC3\xBC", "\xCE\xB1", "\xD0\x96", "\xE6\x88\xBF", "\xE3\x81\x82", "\xED\x95\x9C"}) {
+    EXPECT_FALSE(Have(fonts_, text)) << text;
+    EXPECT_TRUE(Have(Fonts(1, UnusualCharacters(text)), text)) << text;
   }
 }
 
-TEST(Fonts, OfUsualCharactersAndThoseOfATextLackNothingOfIt) {
-  const std::string text = "T\xC3\xBCr \xE6\x88\xBF, T\xC3\xBCr";
-  EXPECT_EQ(UnusualCharacters(text), std::vector<ImWchar>{0xFC});
-  const Fonts fonts(1, Characters::kUsual, UnusualCharacters(text));
-  EXPECT_FALSE(fonts.Lacks(text));
-  EXPECT_TRUE(fonts.Lacks("\xC3\xA9"));
+TEST_F(FontsTest, EastAsianCharactersAreAsWideAsTwoLettersInEveryFace) {
+  const Fonts fonts(1, {0x623F});
+  for (const Face face : {Face::kSans, Face::kBold, Face::kMono}) {
+    const ImFont& font = *fonts.Pick(face, 13);
+    EXPECT_GT(font.GetCharAdvance(0x623F), 11);
+    EXPECT_GT(font.GetCharAdvance(0x623F), font.FallbackAdvanceX);
+  }
+}
+
+TEST_F(FontsTest, OfAWholeDictionaryBakeWhatThereIsRoomFor) {
+  CharacterSet all;
+  for (ImWchar code = 0x4E00; code < 0x9FA0; ++code) all.insert(code);
+  const Fonts fonts(2, all);
+  ASSERT_EQ(fonts.error(), "");
+  EXPECT_NE(fonts.Pick(Face::kSans, 13)->FindGlyphNoFallback(0x4E00), nullptr);
+  EXPECT_LE(fonts.Pick(Face::kSans, 13)->ContainerAtlas->TexHeight, 16384);
 }
 
 TEST(Fonts, OfUsualCharactersAreBakedIntoAMuchSmallerTexture) {
-  const Fonts usual(1, Characters::kUsual);
-  const Fonts all(1);
+  const Fonts usual(1);
+  const Fonts all(1, Alphabets());
   const auto rows = [](const Fonts& fonts) {
     return fonts.Pick(Face::kSans, 13)->ContainerAtlas->TexHeight;
   };

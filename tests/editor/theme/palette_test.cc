@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -87,6 +89,28 @@ TEST(Palette, UsesTheColoursOfOkabeAndItoForTheColourBlind) {
   EXPECT_EQ(p.running, 0xFF009FE6U);  // #E69F00
   EXPECT_EQ(p.success, 0xFF739E00U);  // #009E73
   EXPECT_EQ(p.failure, 0xFF005ED5U);  // #D55E00
+}
+
+// 0 to 360; red is 0, amber 40.
+double HueOf(Color color) {
+  const double red = color & 0xFFU, green = color >> 8 & 0xFFU, blue = color >> 16 & 0xFFU;
+  const double most = std::max({red, green, blue});
+  const double span = most - std::min({red, green, blue});
+  if (span == 0) return 0;
+  const double sixth = most == red     ? (green - blue) / span
+                       : most == green ? 2 + (blue - red) / span
+                                       : 4 + (red - green) / span;
+  return std::fmod(60 * sixth + 360, 360);
+}
+
+TEST(Palette, AmberIsWhatRunsAndNoKey) {
+  for (const PaletteName name : kAll) {
+    const Palette& p = GetPalette(name);
+    for (int i = 0; i < 100; ++i) {
+      const Color key = p.OfKey(std::to_string(i));
+      EXPECT_GT(std::abs(HueOf(key) - HueOf(p.running)), 20) << ToString(name) << std::hex << key;
+    }
+  }
 }
 
 TEST(Palette, GivesAKeyAlwaysTheSameColourAndKeysDifferentOnes) {

@@ -45,5 +45,25 @@ TEST_F(LiveViewTest, RefusesWhatIsNoNumber) {
   EXPECT_EQ(RunTreeWith({"--live", "--wait-for-client", "soon"}), 2);
 }
 
+class WebViewTest : public LiveViewTest {
+ protected:
+  int RunWithPages() {
+    return RunTreeWith(
+        {"--live-port", "0", "--web", "--web-port", "0", "--web-folder", folder_.string()});
+  }
+};
+
+TEST_F(WebViewTest, WithoutThePageItSaysSoAndGivesNoAddressForBrowsers) {
+  EXPECT_EQ(RunWithPages(), 0);
+  EXPECT_NE(err_.find("no page for browsers"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("http://"), std::string::npos) << err_;
+}
+
+TEST_F(WebViewTest, WithThePageItSaysWhereItIs) {
+  Write("index.html", "<html></html>");
+  EXPECT_EQ(RunWithPages(), 0);
+  EXPECT_NE(err_.find("in a browser: http://127.0.0.1:"), std::string::npos) << err_;
+}
+
 }  // namespace
 }  // namespace coppice

@@ -48,8 +48,12 @@ TEST(StatusLook, GetsHotterFromTheBorderColourOn) {
   for (const PaletteName name : {PaletteName::kDark, PaletteName::kLight}) {
     const Palette& palette = GetPalette(name);
     EXPECT_EQ(HeatColor(palette, 0), palette.node_border);
-    EXPECT_EQ(HeatColor(palette, 0.5F), palette.running);
-    EXPECT_NE(HeatColor(palette, 1), palette.running);
+    for (float heat = 0.1F; heat < 1.01F; heat += 0.1F) {
+      const Color color = HeatColor(palette, heat);
+      EXPECT_NE(color, palette.node_border) << heat;
+      // More blue than green: no mixture of greys and amber, which is what runs.
+      EXPECT_GT(color >> 16 & 0xFFU, color >> 8 & 0xFFU) << heat;
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-#include "editor/live/value_cache.h"
+#include "editor/live/values/value_cache.h"
 
 #include <gtest/gtest.h>
 

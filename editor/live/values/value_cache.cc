@@ -1,4 +1,4 @@
-#include "editor/live/value_cache.h"
+#include "editor/live/values/value_cache.h"
 
 #include "bt_core/data/value_bytes.h"
 #include "editor/live/key_search.h"

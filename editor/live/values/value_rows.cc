@@ -1,4 +1,4 @@
-#include "editor/live/value_rows.h"
+#include "editor/live/values/value_rows.h"
 
 #include <algorithm>
 #include <sstream>

@@ -3,16 +3,16 @@
 //   cache.Look(run);                                         // once a frame
 //   const SlotView& view = cache.Of(slot, values[slot]);
 //   if (view.rows) ...
-#ifndef COPPICE_EDITOR_LIVE_VALUE_CACHE_H_
-#define COPPICE_EDITOR_LIVE_VALUE_CACHE_H_
+#ifndef COPPICE_EDITOR_LIVE_VALUES_VALUE_CACHE_H_
+#define COPPICE_EDITOR_LIVE_VALUES_VALUE_CACHE_H_
 
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include "editor/live/value_rows.h"
-#include "editor/live/value_table.h"
+#include "editor/live/values/value_rows.h"
+#include "editor/live/values/value_table.h"
 
 namespace coppice::editor {
 
@@ -87,4 +87,4 @@ ValueCache& CacheFor(std::shared_ptr<ValueCache>& cache, const RunView& run);
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_LIVE_VALUE_CACHE_H_
+#endif  // COPPICE_EDITOR_LIVE_VALUES_VALUE_CACHE_H_

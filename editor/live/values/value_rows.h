@@ -3,8 +3,8 @@
 //
 //   const std::optional<ValueRows> rows = ReadValueRows(text);       // the text must stay
 //   for (const std::uint32_t row : ShownRows(*rows, folds)) ...      // draw those in sight
-#ifndef COPPICE_EDITOR_LIVE_VALUE_ROWS_H_
-#define COPPICE_EDITOR_LIVE_VALUE_ROWS_H_
+#ifndef COPPICE_EDITOR_LIVE_VALUES_VALUE_ROWS_H_
+#define COPPICE_EDITOR_LIVE_VALUES_VALUE_ROWS_H_
 
 #include <cstdint>
 #include <optional>
@@ -62,4 +62,4 @@ std::string SizeText(const ValueRow& row);
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_LIVE_VALUE_ROWS_H_
+#endif  // COPPICE_EDITOR_LIVE_VALUES_VALUE_ROWS_H_

@@ -1,7 +1,7 @@
 // A value of a blackboard as a table: a list of JSON objects, or an object whose only list this is.
 // Columns are the members of all objects, in the order in which they come.
-#ifndef COPPICE_EDITOR_LIVE_VALUE_TABLE_H_
-#define COPPICE_EDITOR_LIVE_VALUE_TABLE_H_
+#ifndef COPPICE_EDITOR_LIVE_VALUES_VALUE_TABLE_H_
+#define COPPICE_EDITOR_LIVE_VALUES_VALUE_TABLE_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -39,4 +39,4 @@ CellLevel LevelOf(const std::string& word);
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_LIVE_VALUE_TABLE_H_
+#endif  // COPPICE_EDITOR_LIVE_VALUES_VALUE_TABLE_H_

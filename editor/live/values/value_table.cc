@@ -1,4 +1,4 @@
-#include "editor/live/value_table.h"
+#include "editor/live/values/value_table.h"
 
 #include <algorithm>
 #include <array>
