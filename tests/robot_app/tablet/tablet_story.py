@@ -39,6 +39,21 @@ def find_a_room(visitor):
     visitor.photograph("way")
 
 
+def is_flat_without_three_dimensions(visitor):
+    assert visitor.browser.evaluate("""(() => {
+      const canvas = document.createElement("canvas"), three = window.THREE;
+      canvas.style.cssText = "position: fixed; width: 200px; height: 100px";
+      document.body.append(canvas);
+      window.THREE = undefined;
+      const flat = makeFloor(canvas);
+      window.THREE = three;
+      flat.setMap(plan.info);
+      const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+      canvas.remove();
+      return pixels.some((value, i) => i % 4 < 3 && value > 100);
+    })()"""), "no flat map"
+
+
 # Whoever plays the trees gives it up at once.
 def is_led_there(visitor):
     visitor.tap("#guide")
@@ -105,6 +120,7 @@ def visit(visitor, url):
     visitor.browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
     visitor.browser.call("Page.navigate", url=url)
     find_a_room(visitor)
+    is_flat_without_three_dimensions(visitor)
     is_readable_from_afar(visitor)
     is_led_there(visitor)
     talks(visitor)
