@@ -1,5 +1,6 @@
 #include "robot_app/app/demo.h"
 
+#include <coppice_msgs/HearFile.h>
 #include <coppice_msgs/InjectFault.h>
 #include <coppice_msgs/Person.h>
 #include <ros/ros.h>
@@ -20,11 +21,16 @@
 #include "robot_app/app/robot_watch.h"
 #include "robot_app/app/run_summary.h"
 #include "robot_app/common/child_process.h"
+#include "robot_app/speech/mouth/synthesizer.h"
+#include "robot_app/speech/sound/wav_file.h"
 
 namespace coppice::robot {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr char kWish[] = "Please take me to office one oh three.";
+constexpr char kVisitor[] = "en-us+f2";  // a voice of espeak-ng
 
 std::string LastLine(const std::string& path) {
   std::ifstream file(path);
@@ -102,6 +108,7 @@ class Demo {
     console_.Step("patrol: " + settings_.rounds + " rounds of " + settings_.stops + " stops");
     WaitOrFail("the robot to leave its station", 120,
                [](const RobotView& view) { return view.has_goal && view.distance > 5; });
+    if (!settings_.perception) LeadAVisitor();
     HangNavigation();
     BlockCorridor();
     WaitOrFail("the application to end", 900,
@@ -110,6 +117,42 @@ class Demo {
     // Long enough for the monitor tree to see that all is well, and for the records to be complete.
     WaitOrFail("the robot to be without faults", 60,
                [](const RobotView& view) { return view.errors.empty(); });
+  }
+
+  // What he says comes by a file instead of the microphone. Nobody in the simulation follows a robot
+  // that looks back, so there is no visitor where it can.
+  void LeadAVisitor() {
+    console_.Step(std::string("a visitor says: \"") + kWish + "\"");
+    const auto wish = speech::Synthesizer().Speak(kWish, {kVisitor, 140});
+    if (!wish) throw DemoFailed("the visitor cannot speak: " + wish.problem());
+    const std::string file = (settings_.folder / "visitor.wav").string();
+    if (const Outcome written = speech::WriteWav(file, wish->sound); !written) {
+      throw DemoFailed(written.problem());
+    }
+    const int answers = watch_->view().answers;
+    LetHear(file);
+    WaitOrFail("an answer", 60,
+               [answers](const RobotView& view) { return view.answers > answers; });
+    const RobotView answered = watch_->view();
+    console_.Tell("heard: \"" + answered.heard + "\"; the robot: \"" + answered.answer + "\"");
+    if (answered.led_to.empty()) throw DemoFailed("it did not understand the visitor");
+    WaitOrFail("the visitor to be led", 300,
+               [](const RobotView& view) { return !view.outcome.empty(); });
+    const std::string outcome = watch_->view().outcome;
+    if (outcome != "arrived") throw DemoFailed("leading the visitor ended: " + outcome);
+    console_.Tell("the visitor was led to " + answered.led_to);
+  }
+
+  // It hears nothing while it speaks itself.
+  void LetHear(const std::string& file) {
+    coppice_msgs::HearFile service;
+    service.request.path = file;
+    service.request.who = "visitor";
+    for (int attempts = 0; attempts < 60; ++attempts) {
+      if (ros::service::call("/speech/hear_file", service) && service.response.ok) return;
+      watch_->WaitFor([](const RobotView&) { return false; }, 0.5);
+    }
+    throw DemoFailed("the robot does not hear: " + service.response.message);
   }
 
   void HangNavigation() {

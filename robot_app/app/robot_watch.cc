@@ -1,5 +1,6 @@
 #include "robot_app/app/robot_watch.h"
 
+#include <coppice_msgs/Answer.h>
 #include <coppice_msgs/Health.h>
 #include <coppice_msgs/People.h>
 #include <coppice_msgs/ProcessStates.h>
@@ -44,6 +45,14 @@ void UpdatePeople(const coppice_msgs::People& message, RobotView& view) {
   }
 }
 
+void UpdateAnswer(const coppice_msgs::Answer& message, RobotView& view) {
+  ++view.answers;
+  view.heard = message.heard.text;
+  view.answer = message.text;
+  view.led_to = message.guides ? message.place : "";
+  view.outcome.clear();
+}
+
 }  // namespace
 
 RobotWatch::RobotWatch(ros::NodeHandle& node) {
@@ -52,6 +61,10 @@ RobotWatch::RobotWatch(ros::NodeHandle& node) {
   });
   Watch<coppice_msgs::ProcessStates>(node, "/processes", UpdateProcesses);
   Watch<coppice_msgs::People>(node, "/people", UpdatePeople);
+  Watch<coppice_msgs::Answer>(node, "/speech/answer", UpdateAnswer);
+  Watch<std_msgs::String>(node, "/visitors/outcome", [](const auto& message, RobotView& view) {
+    view.outcome = message.data;
+  });
   Watch<coppice_msgs::Health>(node, "/monitoring", UpdateHealth);
   Watch<geometry_msgs::PoseStamped>(node, "/simulation/truth",
                                     [](const auto& message, RobotView& view) {

@@ -29,7 +29,11 @@ struct RobotView {
   double distance = 0;  ///< driven so far [m], from odometry
   double goal_x = 0;    ///< of the navigation's newest goal [m]
   bool has_goal = false;
-  double time = 0;  ///< ROS time [s]
+  double time = 0;            ///< ROS time [s]
+  int answers = 0;            ///< that were given to visitors so far
+  std::string heard, answer;  ///< the newest: what was understood, what was said to it
+  std::string led_to;         ///< the place to which its visitor wants to be led; or empty
+  std::string outcome;        ///< of the newest wish to be led: arrived, lost ...; or empty
   /// Everybody who was followed so far, by number: coppice_msgs/Person::mask, as it was known last.
   std::map<std::uint32_t, std::uint8_t> people;
 };
