@@ -1,15 +1,17 @@
 // One action server as a capability: start a goal, hear how it ended, cancel it.
 //
 // It never leaves the caller without an answer: a server that is not there within kConnectTimeout,
-// or that dies while it works, is reported as a failure that says so. Times are real time, because
-// programs start and die in real time.
+// that does not take the goal, or that dies while it works, is reported as a failure that says so.
+// Times are real time, because programs start and die in real time.
 //
 // It stands on actionlib's ActionClient: SimpleActionClient keeps the goal that it sends in a
 // member that its callbacks read, so where several threads spin, a goal that ends before sendGoal()
 // has returned is called lost, or its end is not told at all.
 //
 // A status that the server sent before it had the goal may arrive after it took it. actionlib then
-// calls the goal lost, though the server works on it: such a goal is sent again, once.
+// calls the goal lost, though the server works on it: such a goal is sent again, once. So is one
+// that nobody has taken within kTakenTimeout: it went to a server that hung, and to whoever was
+// started in its place nobody has told it. actionlib would wait for ever.
 #ifndef COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 #define COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 
@@ -72,18 +74,21 @@ class ActionPort {
   static constexpr double kConnectTimeout = 5.0;   // s
   static constexpr double kLostTimeout = 1.0;      // s
   static constexpr double kOvertakeTimeout = 1.0;  // s
+  static constexpr double kTakenTimeout = 3.0;     // s
 
   // Runs on the spinner: sends a goal as soon as the server is there, and notices when it goes
   // away.
   void Supervise() {
+    // Without our lock: actionlib holds its own when it calls us.
     const bool connected = client_.isServerConnected();
+    const bool waits_to_be_taken = WaitsToBeTaken();
     const ros::WallTime now = ros::WallTime::now();
     std::unique_lock<std::mutex> lock(mutex_);
     if (state_ == State::kNone) return;
     if (state_ == State::kConnecting) {
       if (connected) {
         state_ = State::kSent;
-        since_ = now;
+        since_ = sent_ = now;
         const Goal goal = goal_;
         const int number = number_;
         lock.unlock();
@@ -96,7 +101,13 @@ class ActionPort {
       }
       return;
     }
-    if (connected) {
+    if (connected && waits_to_be_taken && (now - sent_).toSec() > kTakenTimeout) {
+      const int number = number_;
+      lock.unlock();
+      if (SendAgain(number)) return;
+      handle_.reset();
+      Finish(number, {false, "action server \"" + name_ + "\" does not take the goal"});
+    } else if (connected) {
       since_ = now;
     } else if ((now - since_).toSec() > kLostTimeout) {
       const int number = number_;
@@ -106,22 +117,27 @@ class ActionPort {
     }
   }
 
+  bool WaitsToBeTaken() {
+    return !handle_.isExpired() &&
+           handle_.getCommState() == actionlib::CommState::WAITING_FOR_GOAL_ACK;
+  }
+
   void End(int number, ros::WallTime sent, const typename Client::GoalHandle& goal) {
     const actionlib::TerminalState state = goal.getTerminalState();
-    const bool lost = state == actionlib::TerminalState::LOST;
-    if (lost && SendAgain(number, sent)) return;
+    // Not if it was sent too long ago for a status to have overtaken it.
+    const bool was_overtaken = state == actionlib::TerminalState::LOST &&
+                               (ros::WallTime::now() - sent).toSec() <= kOvertakeTimeout;
+    if (was_overtaken && SendAgain(number)) return;
     Finish(number, evaluate_(state, goal.getResult().get()));
   }
 
-  // False if it was sent too long ago for a status to have overtaken it, or twice already.
-  bool SendAgain(int number, ros::WallTime sent) {
+  // False if it was sent twice already.
+  bool SendAgain(int number) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const ros::WallTime now = ros::WallTime::now();
-    if (number != number_ || state_ != State::kSent) return false;
-    if (was_sent_again_ || (now - sent).toSec() > kOvertakeTimeout) return false;
+    if (number != number_ || state_ != State::kSent || was_sent_again_) return false;
     was_sent_again_ = true;
     state_ = State::kConnecting;
-    since_ = now;
+    since_ = ros::WallTime::now();
     return true;
   }
 
@@ -146,6 +162,7 @@ class ActionPort {
   Sender<leaves::ActionResult> done_;
   bool was_sent_again_ = false;
   ros::WallTime since_;  // of the state; in kSent the last time the server was seen
+  ros::WallTime sent_;   // in kSent
 
   // Last: their callbacks use all of the above until they are gone.
   Client client_;

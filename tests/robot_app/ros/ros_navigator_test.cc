@@ -55,11 +55,12 @@ TEST_F(RosNavigatorTest, FailsWithTheTextOfMoveBase) {
 }
 
 // A server by its topics, which says at once that it has forgotten the goals that it took, but for
-// the last one, and ends that.
+// the last one, and ends that. Or it does not even take them, as one that hangs.
 class ForgetfulServer {
  public:
-  ForgetfulServer(ros::NodeHandle& node, int forgets)
+  ForgetfulServer(ros::NodeHandle& node, int forgets, bool takes = true)
       : forgets_(forgets),
+        takes_(takes),
         status_(node.advertise<actionlib_msgs::GoalStatusArray>("move_base/status", 10)),
         feedback_(node.advertise<move_base_msgs::MoveBaseActionFeedback>("move_base/feedback", 1)),
         result_(node.advertise<move_base_msgs::MoveBaseActionResult>("move_base/result", 1)),
@@ -70,7 +71,7 @@ class ForgetfulServer {
               Take(goal->goal_id);
             })),
         timer_(node.createWallTimer(ros::WallDuration(0.05), [this](const auto& /*event*/) {
-          if (goals_ == 0) status_.publish(actionlib_msgs::GoalStatusArray());
+          if (goals_ == 0 || !takes_) status_.publish(actionlib_msgs::GoalStatusArray());
         })) {}
   int goals() const { return goals_; }
 
@@ -78,7 +79,7 @@ class ForgetfulServer {
   void Cancel(const actionlib_msgs::GoalID& /*id*/) {}
 
   void Take(const actionlib_msgs::GoalID& id) {
-    ++goals_;
+    if (++goals_ <= forgets_ && !takes_) return;
     actionlib_msgs::GoalStatus taken;
     taken.goal_id = id;
     taken.status = actionlib_msgs::GoalStatus::ACTIVE;
@@ -93,6 +94,7 @@ class ForgetfulServer {
   }
 
   const int forgets_;
+  const bool takes_;
   std::atomic<int> goals_{0};
   ros::Publisher status_, feedback_, result_;
   ros::Subscriber cancel_, goal_;
@@ -112,6 +114,19 @@ TEST_F(RosNavigatorTest, FailsWhenTheGoalIsLostAgain) {
   Status status = Status::kRunning;
   EXPECT_TRUE(Eventually([&] { return (status = harness_.Tick()) != Status::kRunning; }, 10));
   EXPECT_EQ(status, Status::kFailure);
+  EXPECT_EQ(server.goals(), 2);
+}
+
+TEST_F(RosNavigatorTest, SendsAGoalAgainThatWasNeverTaken) {
+  const ForgetfulServer server(node_, 1, false);
+  EXPECT_TRUE(EndsWith(Status::kSuccess)) << harness_.message();
+  EXPECT_EQ(server.goals(), 2);
+}
+
+TEST_F(RosNavigatorTest, FailsWhenNobodyTakesTheGoal) {
+  const ForgetfulServer server(node_, 100, false);
+  EXPECT_TRUE(EndsWith(Status::kFailure, 20));
+  EXPECT_EQ(harness_.message(), R"(action server "move_base" does not take the goal)");
   EXPECT_EQ(server.goals(), 2);
 }
 
