@@ -8,6 +8,7 @@ namespace coppice::python {
 
 void BindLeaves(pybind11::module_& module);   ///< Status, Registry, NodeLink
 void BindTrees(pybind11::module_& module);    ///< load, check, Tree, clocks, recorder, live view
+void BindLive(pybind11::module_& module);     ///< the live view, where it is built
 void BindRecords(pybind11::module_& module);  ///< Record
 void BindTesting(pybind11::module_& module);  ///< LeafHarness, scenarios
 

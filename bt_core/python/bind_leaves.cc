@@ -1,4 +1,5 @@
 // Node types: what Python tells of its leaves, and what a leaf sees of its tree.
+#include <dlfcn.h>
 #include <pybind11/stl.h>
 
 #include <optional>
@@ -21,6 +22,17 @@ PortDirection DirectionFrom(const std::string& text) {
   return text == "output" ? PortDirection::kOutput : PortDirection::kInOut;
 }
 
+std::string DefaultFrom(const PortDeclaration& port, const py::object& value) {
+  const std::string where = "default of port \"" + port.name + "\": ";
+  try {
+    return FromPython(port.type, value).Print();
+  } catch (const py::type_error& error) {
+    throw py::type_error(where + error.what());
+  } catch (const py::value_error& error) {
+    throw py::value_error(where + error.what());
+  }
+}
+
 // (name, direction, type, description, required, (default,) or None)
 PortDeclaration DeclarationFrom(const py::tuple& told) {
   PortDeclaration port;
@@ -30,8 +42,7 @@ PortDeclaration DeclarationFrom(const py::tuple& told) {
   port.description = told[3].cast<std::string>();
   port.required = told[4].cast<bool>();
   if (!told[5].is_none()) {
-    const py::object value = told[5].cast<py::tuple>()[0];
-    port.default_text = FromPython(port.type, value).Print();
+    port.default_text = DefaultFrom(port, told[5].cast<py::tuple>()[0]);
   }
   return port;
 }
@@ -49,11 +60,22 @@ void AddLeaf(Registry& registry, const std::string& id, bool is_condition,
   AddLeafClass(registry, std::move(added));
 }
 
+// A plugin uses the engine of the program, which lies in this module: Python has loaded it for
+// itself alone.
+void LoadPlugin(Registry& registry, const std::string& path) {
+  Dl_info module;
+  if (dladdr(reinterpret_cast<void*>(&LoadPlugin), &module) != 0) {
+    dlopen(module.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_GLOBAL);
+  }
+  registry.LoadPlugin(path);
+}
+
 void BindRegistry(py::module_& module) {
   py::class_<Registry, std::shared_ptr<Registry>>(module, "Registry")
       .def(py::init<>())
       .def("add_leaf", &AddLeaf, py::arg("id"), py::arg("is_condition"), py::arg("description"),
            py::arg("ports"), py::arg("make"))
+      .def("load_plugin", &LoadPlugin, py::arg("path"))
       .def("ids", &Registry::Ids)
       .def("models", &WriteModels)
       .def("schema", &WriteSchema)

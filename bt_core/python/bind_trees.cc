@@ -208,7 +208,7 @@ class TreeRecorder {
       : tree_(std::move(tree)) {
     RecorderOptions options;
     options.metadata.assign(metadata.begin(), metadata.end());
-    tree_->Use([&](Executor&) { recorder_.emplace(tree_->stream(), path, options); });
+    tree_->UseBetweenTicks([&](Executor&) { recorder_.emplace(tree_->stream(), path, options); });
   }
   ~TreeRecorder() {
     if (recorder_) tree_->Use([this](Executor&) { recorder_.reset(); });
@@ -216,7 +216,7 @@ class TreeRecorder {
 
   void Close() {
     Outcome closed;
-    tree_->Use([&](Executor&) {
+    tree_->UseBetweenTicks([&](Executor&) {
       if (recorder_) closed = recorder_->Close();
       recorder_.reset();
     });

@@ -35,6 +35,7 @@ Interruption::Interruption(Runner* runner)
 Interruption::~Interruption() { interruption = outer_; }
 
 void Interruption::Raise() const {
+  CollectDropped();
   if (!exception_) return;
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception_.get().ptr())),
                   exception_.get().ptr());

@@ -42,7 +42,8 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// Raises what was kept. With the GIL.
+  /// Behind the ticks: raises what was kept. What was dropped meanwhile (the frames of exceptions)
+  /// is let go. With the GIL.
   void Raise() const;
 
   /// Gives it to that of this thread. With the GIL.

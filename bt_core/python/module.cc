@@ -9,6 +9,9 @@ PYBIND11_MODULE(_native, module) {
   using namespace coppice;
   python::BindLeaves(module);
   python::BindTrees(module);
+#ifdef COPPICE_LIVE
+  python::BindLive(module);
+#endif
   python::BindRecords(module);
   python::BindTesting(module);
   module.attr("__version__") = kVersion;

@@ -197,6 +197,11 @@ void Tree::Use(const std::function<void(Executor&)>& function) {
   if (request->error) std::rethrow_exception(request->error);
 }
 
+void Tree::UseBetweenTicks(const std::function<void(Executor&)>& function) {
+  if (IsMine()) throw std::runtime_error("this cannot be done within a tick of the tree");
+  Use(function);
+}
+
 void Tree::AskWhoTicks(const std::shared_ptr<Request>& request) {
   const auto carry_out = [this, request] {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -295,6 +300,7 @@ void Tree::End(std::chrono::steady_clock::time_point deadline) {
   {
     std::unique_lock<std::mutex> lock(mutex_);
     if (runner_) runner_->RequestStop();
+    executor_->inbox()->set_ending(true);  // also if it stands at a breakpoint
     changed_.wait_until(lock, deadline, [this] { return ticker_ == std::thread::id(); });
   }
   if (!TryEnter()) return;

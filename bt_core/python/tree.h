@@ -71,6 +71,9 @@ class Tree {
   /// not need the GIL.
   void Use(const std::function<void(Executor&)>& function);
 
+  /// The same for what may not be done within a tick: throws if a leaf of this tree asks for it.
+  void UseBetweenTicks(const std::function<void(Executor&)>& function);
+
   /// Without the GIL: stops and halts it, if it can be had until then.
   void End(std::chrono::steady_clock::time_point deadline);
 

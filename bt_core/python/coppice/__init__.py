@@ -27,7 +27,9 @@ from .leaf import Action, Condition, Leaf, SyncAction
 from .ports import InOut, Input, Int64, Output
 from .records import Record, open_record
 from .registry import Registry
-from .tree import LoadError, Node, Recorder, Tree, check, checks, load, loads
+from .tree import Live, LoadError, Node, Recorder, Tree, check, checks
+from .tree import close_watchers as _close_watchers
+from .tree import load, loads
 
 RUNNING = Status.RUNNING
 SUCCESS = Status.SUCCESS
@@ -37,7 +39,7 @@ IDLE = Status.IDLE
 
 __all__ = [
     "Action", "AsyncAction", "Clock", "Condition", "Diagnostic", "FAILURE", "IDLE", "InOut", "Input",
-    "Int64", "Leaf", "LoadError", "Node", "Output", "RUNNING", "Record", "Recorder", "Registry",
+    "Int64", "Leaf", "Live", "LoadError", "Node", "Output", "RUNNING", "Record", "Recorder", "Registry",
     "SKIPPED", "SUCCESS", "SimulatedClock", "Status", "SyncAction", "Tree", "UnsetInput",
     "WallClock", "check", "checks", "load", "loads", "open_record", "use_event_loop",
 ]
@@ -49,4 +51,5 @@ for _type in (Clock, Diagnostic, LoadError, SimulatedClock, Status, UnsetInput, 
 @_atexit.register
 def _end() -> None:
     _native.end_all_trees()
+    _close_watchers()
     _LOOP.end()

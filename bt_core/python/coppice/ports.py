@@ -77,6 +77,9 @@ class Port(Generic[T]):
         if not isinstance(named, (str, type)) or typing.get_origin(named) is not None:
             raise TypeError(f"{where}: a port cannot be of type {kind}; a list has elements of "
                             "type int, float, bool or str, and any class goes as an object")
+        if default is not None and not isinstance(named, str):
+            raise TypeError(f"{where}: an object cannot be written in XML, so it is no default; "
+                            f"{self.direction.capitalize()}[Optional[...]] may be left out")
         return Declaration(self.name, self.direction, named, self.description, required, default)
 
 

@@ -71,6 +71,11 @@ class Registry:
             return given
         return add if function is None else add(function)
 
+    def load_plugin(self, path: Union[str, os.PathLike]) -> None:
+        """Adds the node types of a shared library of C++ (bt_core/engine/plugin.h). Raises
+        RuntimeError."""
+        self._native.load_plugin(os.fspath(path))
+
     def ids(self) -> List[str]:
         """All names, in alphabetical order."""
         return self._native.ids()

@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 import os
+import weakref
 from types import TracebackType
-from typing import Any, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Type, Union
+from typing import Any, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Type, TypeVar, Union
 
 from . import _native
 from ._native import Clock, Diagnostic, Status, WallClock
@@ -12,6 +13,8 @@ from .picture import svg_of
 from .registry import Leaves, registry_of
 
 Path = Union[str, "os.PathLike[str]"]
+W = TypeVar("W", bound="_Watcher")
+_TREES: "weakref.WeakSet[Tree]" = weakref.WeakSet()
 
 
 class LoadError(ValueError):
@@ -45,6 +48,8 @@ class Tree:
         self._native = _native.Tree(program, clock, on_exception)
         self.clock = clock
         self.warnings = warnings
+        self._watchers: List[Union[Recorder, Live]] = []
+        _TREES.add(self)
 
     @property
     def id(self) -> str:
@@ -151,7 +156,17 @@ class Tree:
             with tree.record("run.coppice"):
                 tree.run()
         """
-        return Recorder(self, path, metadata or {})
+        recorder = Recorder(self, path, metadata or {})
+        self._watchers.append(recorder)
+        return recorder
+
+    def live(self, port: int = 1667, *, address: str = "127.0.0.1", token: str = "") -> Live:
+        """Lets the editor, `coppice live` and Groot2 watch and debug the tree until it is closed.
+        Port 0 takes a free one. All addresses but this computer's need a token (docs/live.md).
+        Raises RuntimeError if the port cannot be had."""
+        live = Live(self, port, address, token)
+        self._watchers.append(live)
+        return live
 
     def svg(self) -> str:
         """A picture of the tree, as `coppice export` makes it. Raises RuntimeError where that is
@@ -169,8 +184,23 @@ class Tree:
         return f"<coppice.Tree {self.id}: {self.status.name} after {self.ticks} ticks>"
 
 
-class Recorder:
-    """Records a tree in a file; see Tree.record."""
+class _Watcher:
+    """What is closed at the end of a `with`."""
+
+    def close(self) -> None:
+        raise NotImplementedError
+
+    def __enter__(self: W) -> W:
+        return self
+
+    def __exit__(self, kind: Optional[Type[BaseException]], error: Optional[BaseException],
+                 traceback: Optional[TracebackType]) -> None:
+        self.close()
+
+
+class Recorder(_Watcher):
+    """Records a tree in a file; see Tree.record. A record that is not closed is closed with the
+    tree, or at the end of the program."""
 
     def __init__(self, tree: Tree, path: Path, metadata: Mapping[str, str]) -> None:
         self._native = _native.TreeRecorder(tree._native, os.fspath(path), dict(metadata))
@@ -184,12 +214,30 @@ class Recorder:
         """Waits until everything is on the disk. Raises RuntimeError if something was lost."""
         self._native.close()
 
-    def __enter__(self) -> Recorder:
-        return self
 
-    def __exit__(self, kind: Optional[Type[BaseException]], error: Optional[BaseException],
-                 traceback: Optional[TracebackType]) -> None:
-        self.close()
+class Live(_Watcher):
+    """A live view; see Tree.live."""
+
+    def __init__(self, tree: Tree, port: int, address: str, token: str) -> None:
+        if not hasattr(_native, "TreeLive"):
+            raise RuntimeError("this module was built without the live view (COPPICE_LIVE)")
+        self._native = _native.TreeLive(tree._native, port, address, token)
+
+    @property
+    def port(self) -> int:
+        """Where it is served; 0: it is closed."""
+        return self._native.port()
+
+    def close(self) -> None:
+        """Ends it."""
+        self._native.close()
+
+
+def close_watchers() -> None:
+    """At the end of the program, when no tree is ticked any more."""
+    for tree in list(_TREES):
+        for watcher in tree._watchers:
+            watcher.close()
 
 
 def _tree(loaded: tuple, clock: Optional[Clock], on_exception: str) -> Tree:

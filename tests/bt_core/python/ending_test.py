@@ -3,6 +3,8 @@ import signal
 import subprocess
 import sys
 
+import coppice
+
 COMMON = """
 import os, signal, sys, threading, time
 import coppice
@@ -103,6 +105,16 @@ while tree.status != RUNNING:
 """)
     out, error = lines_of(process)
     assert process.returncode == 0 and error == "" and "halt" in "".join(out)
+
+
+def test_a_record_is_closed_at_the_end(tmp_path):
+    lines_of(program(f"""
+tree.record({str(tmp_path / "run.coppice")!r})
+threading.Thread(target=tree.run, daemon=True).start()
+while tree.status != RUNNING:
+    pass
+"""))
+    assert coppice.open_record(tmp_path / "run.coppice").is_closed
 
 
 def test_a_coroutine_that_waits_is_cancelled_at_the_end():

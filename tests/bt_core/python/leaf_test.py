@@ -357,6 +357,19 @@ def test_a_port_of_an_impossible_type_is_an_error_of_the_class():
             lux: Input[dict[str, int]]
 
 
+def test_a_default_of_another_type_is_refused_with_the_name_of_the_port():
+    class Odd(Condition):
+        lux: Input[float] = Input("brightness", default="dark")
+    with pytest.raises(TypeError, match='default of port "lux": expected float, not str'):
+        Registry([Odd])
+
+
+def test_an_object_is_no_default():
+    with pytest.raises(TypeError, match="Odd.place: an object cannot be written in XML"):
+        class Odd(Condition):
+            place: Input[dict] = Input(default={})
+
+
 def test_a_name_that_is_taken_is_refused():
     registry = Registry([IsDark])
     with pytest.raises(ValueError, match='"IsDark" is already registered'):

@@ -92,6 +92,25 @@ def test_a_file_that_is_no_record_is_an_error(tmp_path):
         coppice.open_record(tmp_path / "no.coppice")
 
 
+def test_a_record_that_nobody_holds_goes_on(tmp_path):
+    tree = coppice.loads(XML, [Breaks, Gives])
+    tree.record(tmp_path / "run.coppice")
+    tree.tick()
+    del tree
+    assert coppice.open_record(tmp_path / "run.coppice").is_closed
+
+
+def test_a_leaf_cannot_record_its_own_tree(tmp_path):
+    class Records(SyncAction):
+        def run(self):
+            tree.record(tmp_path / "run.coppice")
+            return SUCCESS
+    tree = coppice.loads('<root BTCPP_format="4"><BehaviorTree ID="Main"><Records/></BehaviorTree>'
+                         '</root>', [Records], on_exception="raise")
+    with pytest.raises(RuntimeError, match="cannot be done within a tick"):
+        tree.tick()
+
+
 def test_a_record_that_is_there_is_not_overwritten(tmp_path):
     (tmp_path / "run.coppice").write_text("mine")
     tree = coppice.loads(XML, [Breaks, Gives])

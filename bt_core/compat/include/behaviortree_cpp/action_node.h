@@ -89,8 +89,8 @@ class StatefulActionNode : public ActionNodeBase {
   std::atomic<bool> halt_requested_{false};
 };
 
-/// tick() is a coroutine: setStatusRunningAndYield() ends this tick, and the next one goes on behind
-/// it. A halt ends the coroutine; the destructors of what lives in tick() run.
+/// tick() is a coroutine: setStatusRunningAndYield() ends this tick, and the next one goes on
+/// behind it. A halt ends the coroutine; the destructors of what lives in tick() run.
 class CoroActionNode : public ActionNodeBase {
  public:
   CoroActionNode(const std::string& name, const NodeConfig& config);

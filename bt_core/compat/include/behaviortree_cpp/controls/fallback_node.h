@@ -1,4 +1,5 @@
-// One child after the other until one succeeds. The built-in node; what it does is in docs/semantics.md.
+// One child after the other until one succeeds.
+// The built-in node; what it does is in docs/semantics.md.
 #pragma once
 
 #include "behaviortree_cpp/internal/built_in.h"

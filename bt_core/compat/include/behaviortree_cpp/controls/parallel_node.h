@@ -1,4 +1,5 @@
-// All children in each tick, until enough are done. The built-in node; what it does is in docs/semantics.md.
+// All children in each tick, until enough are done.
+// The built-in node; what it does is in docs/semantics.md.
 #pragma once
 
 #include "behaviortree_cpp/internal/built_in.h"

@@ -1,4 +1,5 @@
-// A fallback that starts at its first child in every tick. The built-in node; what it does is in docs/semantics.md.
+// A fallback that starts at its first child in every tick.
+// The built-in node; what it does is in docs/semantics.md.
 #pragma once
 
 #include "behaviortree_cpp/internal/built_in.h"

@@ -1,4 +1,5 @@
-// A sequence that resumes at the child that failed. The built-in node; what it does is in docs/semantics.md.
+// A sequence that resumes at the child that failed.
+// The built-in node; what it does is in docs/semantics.md.
 #pragma once
 
 #include "behaviortree_cpp/internal/built_in.h"

@@ -1,4 +1,5 @@
-// A sequence with a last child for when it fails. The built-in node; what it does is in docs/semantics.md.
+// A sequence with a last child for when it fails.
+// The built-in node; what it does is in docs/semantics.md.
 #pragma once
 
 #include "behaviortree_cpp/internal/built_in.h"

@@ -1,4 +1,5 @@
-// Ticks the child until it has completed once. The built-in node; what it does is in docs/semantics.md.
+// Ticks the child until it has completed once.
+// The built-in node; what it does is in docs/semantics.md.
 #pragma once
 
 #include "behaviortree_cpp/internal/built_in.h"
