@@ -24,6 +24,12 @@ constexpr double kSlowFrom = 1.0;        // before the contacts, on its way [m]
 constexpr double kSlowBeside = 0.45;     // the same along the axis, wherever it is [m]
 constexpr double kGoRoundAfter = 1.5;    // standing before an obstacle [s]
 constexpr int kMostWaysRound = 4;
+constexpr double kMakesWayAfter = 3;    // of waiting for who stands before the station [s]
+constexpr double kBefore = 0.1;         // the station, and so far before it ...
+constexpr double kBeforeUpTo = 1.6;     // ... up to there ...
+constexpr double kBeforeAside = 0.5;    // ... and so far aside [m]
+constexpr double kStagingHeld = 4;      // held on the way to the staging pose, it looks again [s]
+constexpr double kHasDrivenOn = 0.1;    // after standing before an obstacle [m]
 constexpr double kHides = 0.15;         // so near to the direction to the landmark [rad]
 constexpr double kFarBefore = 0.6;      // nearer than it by so much [m]
 constexpr double kAtContact = 0.008;    // before the docked pose [m]
@@ -54,11 +60,8 @@ Velocity2D DockController::Look(const DockInput& input, double seconds) {
     return Plan(input);
   }
   const double looked = input.now - entered_;
-  if (CanStage(input) && looked > kFirstLook) {
-    has_staged_ = true;
-    Enter(Phase::kTurnToStaging, input);
-    return velocity_;
-  }
+  if (CanStage(input) && looked > kFirstLook) return DriveOut(input, settings_.staging_distance);
+  if (IsToMakeWay(input, looked)) return MakeWay(input);
   if (looked > (station_ ? settings_.look_for : kFullTurn)) {
     const bool hidden = station_ && IsHidden(input.obstacles, RelativeTo(input.pose, Landmark()));
     return AttemptFailed(input, std::string("the landmark of the station is not seen") +
@@ -70,6 +73,33 @@ Velocity2D DockController::Look(const DockInput& input, double seconds) {
 // Before the station everything can be seen; from its side not.
 bool DockController::CanStage(const DockInput& input) const {
   return station_ && !has_staged_ && Distance(input.pose, *staging()) > kFarFromStaging;
+}
+
+Velocity2D DockController::DriveOut(const DockInput& input, double distance) {
+  has_staged_ = true;
+  stage_at_ = distance;
+  Enter(Phase::kTurnToStaging, input);
+  return velocity_;
+}
+
+// Does somebody stand between the robot and the station, perhaps because he cannot get past it?
+bool DockController::IsToMakeWay(const DockInput& input, double waited) const {
+  if (!station_ || has_made_way_ || waited < kMakesWayAfter) return false;
+  const Pose2D in_station = InStation(input);
+  const auto obstacles = WithoutStation(input.obstacles, in_station, settings_.landmark);
+  return std::any_of(obstacles.begin(), obstacles.end(), [&](const Point2D& point) {
+    return point.x < -kBefore && point.x > -kBeforeUpTo && std::abs(point.y) < kBeforeAside;
+  });
+}
+
+Velocity2D DockController::MakeWay(const DockInput& input) {
+  has_made_way_ = true;
+  return DriveOut(input, settings_.way_distance);
+}
+
+// Where it drives out to, in base_link.
+Pose2D DockController::Stage(const DockInput& input) const {
+  return RelativeTo(input.pose, Compose(*station_, Pose2D{-stage_at_, 0, 0}));
 }
 
 // To where the station should be; round and round if that is not known.
@@ -101,16 +131,18 @@ Velocity2D DockController::NoWay(const DockInput& input) {
   if (input.now - entered_ > settings_.obstacle_patience) {
     return AttemptFailed(input, "an obstacle stands before the station");
   }
+  if (IsToMakeWay(input, input.now - entered_)) return MakeWay(input);
   if (has_staged_ || input.now - entered_ < kWaitForWay) return Stand();
-  has_staged_ = true;
   const bool inside = in_station.x > -settings_.retry_distance;
   const bool faces_it = std::abs(in_station.yaw) < kFacing;
-  Enter(inside && faces_it ? Phase::kBackOut : Phase::kTurnToStaging, input);
+  if (!inside || !faces_it) return DriveOut(input, settings_.staging_distance);
+  has_staged_ = true;
+  Enter(Phase::kBackOut, input);
   return velocity_;
 }
 
 Velocity2D DockController::TurnToStaging(const DockInput& input, double seconds) {
-  const Pose2D goal = RelativeTo(input.pose, *staging());
+  const Pose2D goal = Stage(input);
   const double angle = std::atan2(goal.y, goal.x);
   if (std::hypot(goal.x, goal.y) < kAtStaging) {
     Enter(Phase::kLook, input);
@@ -125,7 +157,7 @@ Velocity2D DockController::TurnToStaging(const DockInput& input, double seconds)
 }
 
 Velocity2D DockController::DriveToStaging(const DockInput& input, double seconds) {
-  const Pose2D goal = RelativeTo(input.pose, *staging());
+  const Pose2D goal = Stage(input);
   const double away = std::hypot(goal.x, goal.y);
   const double angle = std::atan2(goal.y, goal.x);
   if (away < kAtStaging) {
@@ -144,7 +176,12 @@ Velocity2D DockController::DriveToStaging(const DockInput& input, double seconds
         return std::abs(point.y) < settings_.robot_radius && point.x > 0 &&
                std::hypot(point.x, point.y) < settings_.robot_radius + 0.12;
       });
-  if (held) return Stand();
+  if (held) {
+    if (HeldFor(input) < kStagingHeld) return Stand();
+    Enter(Phase::kLook, input);
+    return velocity_;
+  }
+  DrivesOn(input);
   const double speed = std::min(settings_.align_speed, std::sqrt(settings_.acceleration * away));
   velocity_.linear = LimitChange(velocity_.linear, speed, settings_.acceleration, seconds);
   velocity_.angular = std::clamp(1.5 * angle, -settings_.turn_speed, settings_.turn_speed);
@@ -170,7 +207,20 @@ bool DockController::IsHeld(const DockInput& input, const Pose2D& in_station) {
   if (must_see && input.now - input.seen.value_or(StationSighting()).stamp > kBlind) return true;
   const auto obstacles = WithoutStation(input.obstacles, in_station, settings_.landmark);
   const double end = std::min(along_ + kNoticeAhead, path_->length());
-  return IsBlocked(*path_, along_, end, obstacles, settings_);
+  return IsBlocked(*path_, along_, end, obstacles, settings_, kDrivenMargin);
+}
+
+// By an obstacle, and since then it has not come far [s].
+double DockController::HeldFor(const DockInput& input) {
+  if (held_since_ < 0) {
+    held_since_ = input.now;
+    held_at_ = input.pose;
+  }
+  return input.now - held_since_;
+}
+
+void DockController::DrivesOn(const DockInput& input) {
+  if (Distance(input.pose, held_at_) > kHasDrivenOn) held_since_ = -1;
 }
 
 // Whether the way in has come to its end, one way or another; phase_ tells.
@@ -193,11 +243,11 @@ Velocity2D DockController::ArriveOrGiveUp(const DockInput& input, const Pose2D& 
 
 // Until what is in the way has gone, or another way is free.
 Velocity2D DockController::WaitOrGoRound(const DockInput& input) {
-  if (held_since_ < 0) held_since_ = input.now;
-  const double held = input.now - held_since_;
+  const double held = HeldFor(input);
   if (held > settings_.obstacle_patience) {
     return AttemptFailed(input, "an obstacle stands before the station");
   }
+  if (IsToMakeWay(input, held)) return MakeWay(input);
   if (held < kGoRoundAfter || ways_round_ >= kMostWaysRound ||
       input.now - last_plan_ < kPlanAgain) {
     return Stand();
@@ -224,7 +274,7 @@ Velocity2D DockController::FollowPath(const DockInput& input, double seconds) {
     return velocity_;
   }
   if (IsHeld(input, in_station)) return WaitOrGoRound(input);
-  held_since_ = -1;
+  DrivesOn(input);
   const double left = path_->length() - along_;
   const bool slowly = left < kSlowFrom || in_station.x > -kSlowBeside;
   const double speed = std::min(slowly ? settings_.approach_speed : settings_.align_speed,

@@ -7,8 +7,9 @@
 // anew. Only a charging current that lasts is success, or a charger that says the battery is full:
 // standing in the station is not. Without it the robot presses on and draws back a little
 // (contact_wiggle.h), then backs out and tries again, a little to one side and then to the other.
-// What stands in the way is waited for. Where no way is free from where the robot stands, it drives
-// to the staging pose first. Without the landmark it does not drive into anything.
+// What stands in the way is waited for; who stands between the robot and the station, and perhaps
+// cannot get past it, is let out. Where no way is free from where the robot stands, it drives to the
+// staging pose first. Without the landmark it does not drive into anything.
 // Undocking: straight back, then see that the current has stopped.
 //
 // A deterministic state machine without a clock, a thread or ROS. All poses in the odometry frame.
@@ -91,8 +92,14 @@ class DockController {
   Velocity2D WaitOrGoRound(const DockInput& input);
   bool OnLastStretch() const;
   bool CanStage(const DockInput& input) const;
+  Velocity2D DriveOut(const DockInput& input, double distance);
+  bool IsToMakeWay(const DockInput& input, double waited) const;
+  Velocity2D MakeWay(const DockInput& input);
+  Pose2D Stage(const DockInput& input) const;
   Velocity2D ArriveOrGiveUp(const DockInput& input, const Pose2D& in_station);
   bool IsHeld(const DockInput& input, const Pose2D& in_station);
+  double HeldFor(const DockInput& input);
+  void DrivesOn(const DockInput& input);
 
   // dock_contact.cc: the current, and the way out
   Velocity2D WaitForCurrent(const DockInput& input);
@@ -127,6 +134,8 @@ class DockController {
   double offset_ = 0;              // of the first attempt [m]
   bool has_failed_ = false;        // the attempt under way: it backs out for another one
   bool has_staged_ = false;        // in this attempt
+  bool has_made_way_ = false;      // in this manoeuvre
+  double stage_at_ = 0;            // so far before the docked pose [m]
   std::optional<Pose2D> station_;  // base_link when docked
   std::optional<DockPath> path_;   // in the frame of the station
   double along_ = 0;               // how far on it [m]
@@ -135,6 +144,7 @@ class DockController {
   double last_plan_ = -1;
   double charging_since_ = -1;  // negative: not charging
   double held_since_ = -1;      // by an obstacle; negative: not held
+  Pose2D held_at_;              // at that time
   double moving_since_ = 0;     // stall detection: here the robot was ...
   Pose2D moving_from_;          // ... at that time
   Velocity2D velocity_;

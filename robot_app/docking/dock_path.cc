@@ -8,7 +8,6 @@ namespace coppice::robot::docking {
 namespace {
 
 constexpr double kStep = 0.05;      // along a path [m]
-constexpr double kMargin = 0.04;    // kept from obstacles [m]
 constexpr double kNoNearer = 0.03;  // than what is near already, but for the noise [m]
 constexpr double kHeadings = 24;    // to which it may turn first
 constexpr std::array<double, 4> kStraights = {1.0, 0.8, 0.6, 0.45};  // [m]
@@ -75,8 +74,8 @@ double DockPath::Nearest(const Point2D& point, double since, double ahead) const
 }
 
 bool IsBlocked(const DockPath& path, double begin, double end,
-               const std::vector<Point2D>& obstacles, const DockSettings& settings) {
-  const double room = settings.robot_radius + kMargin;
+               const std::vector<Point2D>& obstacles, const DockSettings& settings, double margin) {
+  const double room = settings.robot_radius + margin;
   const Pose2D here = path.At(begin);
   // Of those that can matter at all: the point, and how near it may come.
   std::vector<std::pair<Point2D, double>> near;

@@ -33,9 +33,15 @@ std::optional<DockPath> PlanDockPath(const Pose2D& robot, double aside,
                                      const std::vector<Point2D>& obstacles,
                                      const DockSettings& settings);
 
-/// Is something in the way from `begin` to `end` metres of the path?
+/// What is kept from obstacles, beyond the robot's radius: by a way that is planned, and by one that
+/// is driven, so that noise does not stop the robot beside a wall [m].
+inline constexpr double kPlannedMargin = 0.04;
+inline constexpr double kDrivenMargin = 0.015;
+
+/// Is something nearer than `margin` to the way from `begin` to `end` metres of the path?
 bool IsBlocked(const DockPath& path, double begin, double end,
-               const std::vector<Point2D>& obstacles, const DockSettings& settings);
+               const std::vector<Point2D>& obstacles, const DockSettings& settings,
+               double margin = kPlannedMargin);
 
 /// What is not the landmark and not behind it, in the station's frame: `points` are in base_link.
 std::vector<Point2D> WithoutStation(const std::vector<Point2D>& points, const Pose2D& robot,

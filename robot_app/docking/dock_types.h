@@ -16,6 +16,7 @@ namespace coppice::robot::docking {
 struct DockSettings {
   LandmarkShape landmark;          ///< what the station is recognized by
   double staging_distance = 1.6;   ///< of the staging pose before the docked one [m]
+  double way_distance = 2.6;       ///< the same of where it makes way for somebody [m]
   double retry_distance = 1.0;     ///< backs out so far for another attempt [m]
   double farthest_start = 2.5;     ///< from the staging pose; else docking is refused [m]
   double approach_speed = 0.12;    ///< on the last metre into the station [m/s]

@@ -186,11 +186,15 @@ Door ReadDoor(Reader& reader, const YAML::Node& node) {
 Walker ReadWalker(Reader& reader, const YAML::Node& node) {
   const std::string what = "person";
   Walker walker;
-  if (!reader.CheckMap(node, what, {"name", "speed", "height", "mask", "path"})) return walker;
+  if (!reader.CheckMap(node, what, {"name", "speed", "height", "mask", "steps_aside", "path"}))
+    return walker;
   walker.name = reader.Text(node, what, "name");
   walker.speed = reader.Positive(node, what, "speed");
   if (node["height"]) walker.height = reader.Positive(node, what, "height");
   if (node["mask"]) walker.mask = reader.Either(node, what, "mask", "yes", "no");
+  if (node["steps_aside"]) {
+    walker.steps_aside = reader.Either(node, what, "steps_aside", "yes", "no");
+  }
   const YAML::Node path = reader.Member(node, what, "path");
   if (path) walker.path = reader.Points(path, what + ": path");
   return walker;

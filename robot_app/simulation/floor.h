@@ -43,6 +43,8 @@ struct Walker {
   std::vector<Vec2> path;
   double height = 1.75;  ///< m
   bool mask = false;     ///< over mouth and nose
+  /// Goes round a robot that stands in the way, if there is room; else only waits and turns round.
+  bool steps_aside = false;
 };
 
 struct FloorWaypoint {

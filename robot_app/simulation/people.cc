@@ -7,10 +7,14 @@ namespace {
 
 constexpr double kWallDistance = 0.1;  // from the person's edge
 
-// Walking on would bring the person nearer to the robot than is polite.
-bool RobotInTheWay(const Disc& robot, Vec2 here, Vec2 there) {
+constexpr double kStandsStill = 0.02;  // a robot that has moved less [m]
+constexpr double kTurnAside = 20 * kPi / 180;
+constexpr int kTurnsAside = 5;  // up to 100 degrees
+
+// Walking on would bring the person nearer to the robot than `least`.
+bool RobotInTheWay(const Disc& robot, Vec2 here, Vec2 there, double least) {
   const double gap = Length(there - robot.center) - robot.radius - kPersonRadius;
-  return gap < kPersonDistance && Length(there - robot.center) < Length(here - robot.center);
+  return gap < least && Length(there - robot.center) < Length(here - robot.center);
 }
 
 }  // namespace
@@ -27,32 +31,81 @@ void People::Advance(std::size_t i) {
   const std::size_t count = walkers_[i].path.size();
   State& state = states_[i];
   state.target = (state.target + (state.forward ? 1 : count - 1)) % count;
+  state.left = 1e9;
+  state.waited = 0;
+}
+
+// False if that is not free.
+bool People::Step(std::size_t i, Vec2 direction, double step, const Disc& robot,
+                  const RayCaster& still) {
+  Vec2& here = discs_[i].center;
+  const Vec2 there = here + direction * step;
+  const double reach = kPersonRadius + kWallDistance + step;
+  const double least = states_[i].aside != 0 ? kPersonSqueezes : kPersonDistance;
+  if (RobotInTheWay(robot, here, there, least)) return false;
+  if (still.Cast(here, direction, reach) < reach) return false;
+  here = there;
+  states_[i].heading = std::atan2(direction.y, direction.x);
+  states_[i].walked += step;
+  return true;
+}
+
+// As far from the way as the robot needs, on one side of it; on the other where that is too narrow.
+bool People::StepAside(std::size_t i, Vec2 direction, double step, const Disc& robot,
+                       const RayCaster& still) {
+  int& aside = states_[i].aside;
+  if (aside == 0) {
+    const Vec2 to = robot.center - discs_[i].center;
+    aside = direction.x * to.y - direction.y * to.x > 0 ? -1 : 1;
+  }
+  for (const int side : {aside, -aside}) {
+    for (int turns = 0; turns <= kTurnsAside; ++turns) {
+      if (Step(i, Rotated(direction, side * turns * kTurnAside), step, robot, still)) {
+        aside = side;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void People::ComesNearer(std::size_t i) {
+  State& state = states_[i];
+  const double left = Length(walkers_[i].path[state.target] - discs_[i].center);
+  if (left >= state.left) return;
+  state.left = left;
   state.waited = 0;
 }
 
 void People::Walk(std::size_t i, double dt, const Disc& robot, const RayCaster& still) {
-  Vec2& here = discs_[i].center;
+  const Vec2 here = discs_[i].center;
   const Vec2 way = walkers_[i].path[states_[i].target] - here;
   const double left = Length(way);
   const double step = walkers_[i].speed * dt;
   if (left <= step) return Advance(i);
   const Vec2 direction = way * (1 / left);
   states_[i].heading = std::atan2(direction.y, direction.x);
-  const Vec2 there = here + direction * step;
-  const double reach = kPersonRadius + kWallDistance + step;
-  if (!RobotInTheWay(robot, here, there) && still.Cast(here, direction, reach) >= reach) {
-    here = there;
-    states_[i].walked += step;
-    states_[i].waited = 0;
-    return;
-  }
+  const int aside = std::exchange(states_[i].aside, 0);
+  if (Step(i, direction, step, robot, still)) return ComesNearer(i);
   states_[i].waited += dt;
+  const bool hesitates = aside == 0 && states_[i].waited < kPersonHesitates;
+  if (walkers_[i].steps_aside && !hesitates && robot_stood_ >= kPersonHesitates &&
+      states_[i].waited < kPersonPatience) {
+    states_[i].aside = aside;
+    if (StepAside(i, direction, step, robot, still)) return ComesNearer(i);
+    states_[i].aside = 0;
+  }
   if (states_[i].waited < kPersonPatience) return;
   states_[i].forward = !states_[i].forward;
   Advance(i);
 }
 
 void People::Step(double dt, const Disc& robot, const RayCaster& still) {
+  robot_stood_ += dt;
+  if (Length(robot.center - robot_) > kStandsStill) {
+    robot_ = robot.center;
+    robot_stood_ = 0;
+  }
   for (std::size_t i = 0; i < discs_.size(); ++i) Walk(i, dt, robot, still);
 }
 
@@ -62,7 +115,7 @@ std::vector<Stance> People::Stances() const {
     stances[i].position = discs_[i].center;
     stances[i].heading = states_[i].heading;
     stances[i].walked = states_[i].walked;
-    stances[i].walks = states_[i].waited <= 0;
+    stances[i].walks = states_[i].waited <= 0 || states_[i].aside != 0;
     stances[i].height = walkers_[i].height;
   }
   return stances;

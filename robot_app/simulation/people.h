@@ -10,13 +10,15 @@
 
 namespace coppice::robot::simulation {
 
-inline constexpr double kPersonRadius = 0.25;   ///< m
-inline constexpr double kPersonDistance = 0.6;  ///< m, kept from the robot's edge when walking
-inline constexpr double kPersonPatience = 4;    ///< s of waiting, then the person turns round
+inline constexpr double kPersonRadius = 0.25;    ///< m
+inline constexpr double kPersonDistance = 0.6;   ///< m, kept from the robot's edge when walking
+inline constexpr double kPersonPatience = 4;     ///< s of waiting, then the person turns round
+inline constexpr double kPersonHesitates = 1.5;  ///< s of waiting, then the person steps aside
+inline constexpr double kPersonSqueezes = 0.25;  ///< m, kept from the robot's edge when doing that
 
 /// Everybody walks from waypoint to waypoint, stops before the robot and before walls, closed doors
-/// and boxes, and turns round after a while of waiting. People make way for each other without our
-/// help.
+/// and boxes, and turns round after a while of waiting; who steps aside goes round a robot that
+/// stands still, nearer than is polite. People make way for each other without our help.
 class People {
  public:
   /// Everybody stands at the first point of the own path.
@@ -34,16 +36,24 @@ class People {
   struct State {
     std::size_t target = 0;  // point of the path
     bool forward = true;     // through the path
-    double waited = 0;       // s
+    double left = 1e9;       // to the target, at the nearest so far [m]
+    double waited = 0;       // without coming nearer to it [s]
     double walked = 0;       // m
     double heading = 0;      // rad
+    int aside = 0;           // goes round the robot: 1 to the left of the way, -1 to the right
   };
+  bool Step(std::size_t i, Vec2 direction, double step, const Disc& robot, const RayCaster& still);
+  bool StepAside(std::size_t i, Vec2 direction, double step, const Disc& robot,
+                 const RayCaster& still);
+  void ComesNearer(std::size_t i);
   void Walk(std::size_t i, double dt, const Disc& robot, const RayCaster& still);
   void Advance(std::size_t i);
 
   std::vector<Walker> walkers_;
   std::vector<State> states_;
   std::vector<Disc> discs_;
+  Vec2 robot_;              // where it is
+  double robot_stood_ = 0;  // there, so long [s]
 };
 
 }  // namespace coppice::robot::simulation

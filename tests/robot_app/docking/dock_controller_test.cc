@@ -188,6 +188,18 @@ TEST_F(DockControllerTest, DoesNotDriveIntoWhatStandsBeforeTheStation) {
   EXPECT_EQ(contacts_, 0);
 }
 
+TEST_F(DockControllerTest, LetsOutWhoStandsBetweenItAndTheStation) {
+  fixed_ = {{-1.6, 0.1}};
+  input_.pose = kStaging;
+  See();
+  controller_.StartDocking(input_);
+  Run(22);
+  EXPECT_LT(RelativeTo(station_, input_.pose).x, -2.4);
+  fixed_.clear();
+  Run();
+  EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
+}
+
 TEST_F(DockControllerTest, TheStationItselfIsNoObstacle) {
   fixed_ = {{-2.83, 0}, {-2.86, 0.1}, {-2.86, -0.1}, {-3, 0.4}, {-3, -0.4}};
   Dock({-0.8, 0, M_PI});

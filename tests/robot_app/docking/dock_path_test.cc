@@ -41,6 +41,16 @@ TEST(DockPath, ThereIsNoneWhenSomethingStandsBeforeTheContacts) {
   EXPECT_FALSE(PlanDockPath({-1.6, 0, 0}, 0, {{-0.2, 0.1}}, kSettings));
 }
 
+TEST(DockPath, NoiseDoesNotStopWhoDrivesAsFarFromAWallAsWasPlanned) {
+  const auto path = PlanDockPath({-1.6, 0, 0}, 0, {}, kSettings);
+  ASSERT_TRUE(path);
+  const std::vector<Point2D> wall = {{-0.6, kSettings.robot_radius + kPlannedMargin - 0.02}};
+  EXPECT_TRUE(IsBlocked(*path, 0, path->length(), wall, kSettings));
+  EXPECT_FALSE(IsBlocked(*path, 0, path->length(), wall, kSettings, kDrivenMargin));
+  const std::vector<Point2D> leg = {{-0.6, kSettings.robot_radius}};
+  EXPECT_TRUE(IsBlocked(*path, 0, path->length(), leg, kSettings, kDrivenMargin));
+}
+
 TEST(DockPath, TheStationIsNoObstacle) {
   const LandmarkShape shape;
   const std::vector<Point2D> seen = {{0.43, 0}, {0.48, 0.17}, {0.52, -0.33}, {-0.5, 0.5}};

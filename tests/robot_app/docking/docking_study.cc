@@ -92,6 +92,7 @@ DockingOutcome DockOnce(std::uint64_t seed, const StudyOptions& study) {
   floor.people.clear();
   const int people = study.passers_by ? lot.Count(3) : 0;
   for (int i = 0; i < people; ++i) floor.people.push_back(DrawPasserBy(i, lot));
+  for (simulation::Walker& walker : floor.people) walker.steps_aside = study.steps_aside;
   const Pose2 moved = study.moved ? DrawMove(floor, lot) : Pose2{};
   simulation::WorldOptions options;
   options.start = DrawStart(floor, moved, lot);

@@ -15,6 +15,7 @@ struct StudyOptions {
   double patience = 60;       ///< in which there must be current [s]
   bool moved = true;          ///< the station, by up to 0.5 m and 20 degrees
   bool passers_by = true;     ///< up to three
+  bool steps_aside = true;    ///< they go round a robot that stands in their way
   double wheel_error = 0.01;  ///< standard deviation of a wheel's diameter, a share of it
 };
 

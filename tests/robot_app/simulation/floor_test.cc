@@ -82,6 +82,8 @@ TEST(Floor, TellsTheLineOfAMistake) {
               HasSubstr("f.yaml:4:27: error: person: speed must be greater than 0"));
   EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 1, mask: maybe, path: [[0, 0], [1, 1]]}]"),
               HasSubstr("person: mask must be yes or no"));
+  EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 1, steps_aside: 1, path: [[0, 0], [1, 1]]}]"),
+              HasSubstr("person: steps_aside must be yes or no"));
   EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 1, height: -1, path: [[0, 0], [1, 1]]}]"),
               HasSubstr("person: height must be greater than 0"));
   EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 1, path: [[0, 0]]}]"),

@@ -55,6 +55,55 @@ TEST(People, NeverComeNearerThanPoliteToADrivingRobot) {
   }
 }
 
+TEST(People, WhoStepsAsideGoesRoundARobotThatStands) {
+  Walker walker = ToAndFro();
+  walker.steps_aside = true;
+  People people({walker});
+  const Disc robot{{5, 0}, 0.33};
+  const RayCaster corridor(Segments{{{-1, 1.25}, {11, 1.25}}, {{-1, -1.25}, {11, -1.25}}});
+  double nearest = 100;
+  double farthest = 0;
+  for (double t = 0; t < 15; t += kDt) {
+    people.Step(kDt, robot, corridor);
+    const Vec2 at = people.discs()[0].center;
+    nearest = std::min(nearest, Length(at - robot.center) - 0.33 - kPersonRadius);
+    farthest = std::max(farthest, at.x);
+    ASSERT_LT(std::abs(at.y), 1.25 - kPersonRadius);
+  }
+  EXPECT_GE(nearest, kPersonSqueezes - 1e-9);
+  EXPECT_GT(farthest, 9);
+}
+
+TEST(People, WhoStepsAsideTurnsRoundWhereThereIsNoRoom) {
+  Walker walker = ToAndFro();
+  walker.steps_aside = true;
+  People people({walker});
+  const RayCaster corridor(Segments{{{-1, 0.8}, {11, 0.8}}, {{-1, -0.8}, {11, -0.8}}});
+  double farthest = 0;
+  for (double t = 0; t < 30; t += kDt) {
+    people.Step(kDt, {{5, 0}, 0.33}, corridor);
+    farthest = std::max(farthest, people.discs()[0].center.x);
+  }
+  EXPECT_LT(farthest, 5);
+  EXPECT_LT(people.discs()[0].center.x, 4);
+}
+
+TEST(People, WhoStepsAsideKeepsAwayFromARobotThatDrives) {
+  Walker walker = ToAndFro();
+  walker.steps_aside = true;
+  People people({walker});
+  Disc robot{{9, 0}, 0.33};
+  for (double t = 0; t < 12; t += kDt) {
+    const double before = Length(people.discs()[0].center - robot.center);
+    people.Step(kDt, robot, RayCaster());
+    const double after = Length(people.discs()[0].center - robot.center);
+    if (after < before) {
+      ASSERT_GE(after - 0.33 - kPersonRadius, kPersonDistance - 1e-9);
+    }
+    robot.center.x -= 0.2 * kDt;
+  }
+}
+
 TEST(People, StopBeforeAClosedDoor) {
   People people({ToAndFro()});
   const RayCaster door(Segments{{{4, -1}, {4, 1}}});
