@@ -69,6 +69,15 @@ T ReadSmall(StringView text) {
 }
 
 template <class T>
+T ReadWhole(StringView text) {
+  if constexpr (sizeof(T) == sizeof(std::int64_t)) {
+    return ReadInteger<T>(text);
+  } else {
+    return ReadSmall<T>(text);
+  }
+}
+
+template <class T>
 std::vector<T> ReadList(StringView text) {
   if (StartWith(text, "json:")) return nlohmann::json::parse(text.substr(5)).get<std::vector<T>>();
   std::vector<T> values;
@@ -89,38 +98,20 @@ template <>
 const char* convertFromString<const char*>(StringView text) {
   return text.data();
 }
-template <>
-int8_t convertFromString<int8_t>(StringView text) {
-  return internal::ReadSmall<int8_t>(text);
-}
-template <>
-int16_t convertFromString<int16_t>(StringView text) {
-  return internal::ReadSmall<int16_t>(text);
-}
-template <>
-int32_t convertFromString<int32_t>(StringView text) {
-  return internal::ReadSmall<int32_t>(text);
-}
-template <>
-int64_t convertFromString<int64_t>(StringView text) {
-  return internal::ReadInteger<int64_t>(text);
-}
-template <>
-uint8_t convertFromString<uint8_t>(StringView text) {
-  return internal::ReadSmall<uint8_t>(text);
-}
-template <>
-uint16_t convertFromString<uint16_t>(StringView text) {
-  return internal::ReadSmall<uint16_t>(text);
-}
-template <>
-uint32_t convertFromString<uint32_t>(StringView text) {
-  return internal::ReadSmall<uint32_t>(text);
-}
-template <>
-uint64_t convertFromString<uint64_t>(StringView text) {
-  return internal::ReadInteger<uint64_t>(text);
-}
+#define COPPICE_READ_WHOLE(T)               \
+  template <>                               \
+  T convertFromString<T>(StringView text) { \
+    return internal::ReadWhole<T>(text);    \
+  }
+COPPICE_READ_WHOLE(int8_t)
+COPPICE_READ_WHOLE(int16_t)
+COPPICE_READ_WHOLE(int32_t)
+COPPICE_READ_WHOLE(int64_t)
+COPPICE_READ_WHOLE(uint8_t)
+COPPICE_READ_WHOLE(uint16_t)
+COPPICE_READ_WHOLE(uint32_t)
+COPPICE_READ_WHOLE(uint64_t)
+#undef COPPICE_READ_WHOLE
 
 // A prefix, as long as it is a plain number of its own; never by the locale.
 bool parseDouble(StringView text, double& out, bool require_full_consumption) {
