@@ -152,7 +152,7 @@ class Reader {
 
 FloorBox ReadBox(Reader& reader, const YAML::Node& node, const std::string& what) {
   FloorBox box;
-  if (!reader.CheckMap(node, what, {"name", "at", "size", "yaw", "height"})) return box;
+  if (!reader.CheckMap(node, what, {"name", "at", "size", "yaw", "height", "poster"})) return box;
   box.name = reader.Text(node, what, "name");
   box.shape.center = reader.Point(node, what, "at");
   box.shape.size = reader.Point(node, what, "size");
@@ -161,6 +161,7 @@ FloorBox ReadBox(Reader& reader, const YAML::Node& node, const std::string& what
   }
   box.shape.yaw = reader.OptionalNumber(node, what, "yaw");
   box.height = reader.Positive(node, what, "height");
+  if (node["poster"]) box.is_poster = reader.Either(node, what, "poster", "yes", "no");
   return box;
 }
 

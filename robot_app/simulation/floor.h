@@ -34,6 +34,7 @@ struct FloorBox {
   std::string name;
   Rectangle shape;
   double height = 1;
+  bool is_poster = false;  ///< many-coloured; as thin as paper if it hangs at a wall
 };
 
 /// A person who walks from point to point, and from the last one to the first.

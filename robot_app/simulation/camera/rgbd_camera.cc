@@ -50,6 +50,9 @@ class Drawing {
         lens_height_(height),
         colour_(static_cast<std::size_t>(options.width) * options.height),
         depth_(colour_.size(), kNothing) {
+    const double light = std::clamp(scene.still().light, 0.001, 1.0);
+    gain_ = static_cast<int>(std::lround(std::min(options.most_gain, 1 / light)));
+    exposure_ = static_cast<int>(std::lround(256 * std::min(1.0, light * gain_)));
     for (int row = 0; row < options.height; ++row) {
       const double down = Down(row);
       const double drop = down > 0 ? height : height - scene.still().ceiling;
@@ -264,9 +267,10 @@ class Drawing {
     const int choices = 2 * options_.colour_noise + 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const int byte = static_cast<int>(lot >> (8 * k) & 0xff);
-      const int noise = (byte * choices >> 8) - options_.colour_noise;
+      const int noise = gain_ * ((byte * choices >> 8) - options_.colour_noise);
+      const int bright = colour[k] * exposure_ >> 8;
       measured.colour.rgb[3 * to + k] =
-          static_cast<std::uint8_t>(std::clamp(colour[k] + noise, 0, 255));
+          static_cast<std::uint8_t>(std::clamp(bright + noise, 0, 255));
     }
     const float depth = depth_[At(column, row)];
     if (!(depth >= options_.min_depth && depth <= options_.max_depth)) return;
@@ -280,6 +284,8 @@ class Drawing {
   const Scene& scene_;
   const Pose2 pose_;
   const double lens_height_;
+  int gain_ = 1;
+  int exposure_ = 256;          // of 256: how bright the picture is
   std::vector<Ground> ground_;  // by row
   // Column by column.
   std::vector<Colour> colour_;

@@ -28,7 +28,8 @@ struct RgbdOptions {
   double min_depth = 0.28;      ///< m
   double max_depth = 10;        ///< m
   double depth_noise = 0.0026;  ///< standard deviation at 1 m; grows with the square [m]
-  int colour_noise = 3;         ///< most, of 255
+  int colour_noise = 3;         ///< most, of 255, at full light; in the dark it is amplified
+  double most_gain = 8;         ///< darker than that is balanced no more
 };
 
 struct RgbdPicture {

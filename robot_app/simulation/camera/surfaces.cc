@@ -19,6 +19,8 @@ constexpr double kSheetWide = 0.6;
 constexpr double kSheetLow = 1.15;
 constexpr double kSheetHigh = 2.0;
 constexpr double kBorder = 0.05;
+constexpr double kPosterCell = 0.045;  // m, of a poster's pattern
+constexpr double kPosterLow = 0.55;
 constexpr int kPatternColumns = 6;
 constexpr int kPatternRows = 9;
 
@@ -66,6 +68,8 @@ Colour PaintOf(const Panel& panel) {
       return kFurniture[static_cast<std::size_t>(panel.roof) % kFurniture.size()];
     case Material::kCardboard:
       return kCardboard;
+    case Material::kPoster:
+      return kPaper;
   }
   return {};
 }
@@ -78,6 +82,10 @@ PanelLine::PanelLine(const Panel& panel, double along)
   if (material_ == Material::kDoor) {
     is_frame_ = std::min(along, length - along) < kFrame;
     is_handle_ = length - along > 0.08 && length - along < 0.2;
+  }
+  if (material_ == Material::kPoster) {
+    sheet_ = Mixed(NumberOf(panel.edge), 5);
+    column_ = static_cast<int>(std::floor(along / kPosterCell));
   }
   if (material_ != Material::kWall) return;
   const long stretch = CellOf(along, kSheetEvery);
@@ -98,6 +106,11 @@ Colour PanelLine::At(double height) const {
   }
   if (material_ == Material::kCardboard) {
     return std::abs(height - top_ / 2) < 0.03 ? kTape : paint_;
+  }
+  if (material_ == Material::kPoster) {
+    if (height < kPosterLow || top_ - height < kBorder) return kPaper;
+    const auto row = static_cast<std::uint64_t>(std::floor(height / kPosterCell));
+    return kInks[Mixed(sheet_, static_cast<std::uint64_t>(column_), row) % kInks.size()];
   }
   if (material_ == Material::kFurniture) {
     return top_ - height < 0.03 ? Lit(paint_, 1.2) : paint_;

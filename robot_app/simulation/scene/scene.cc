@@ -19,6 +19,8 @@ double ReflectivityOf(Material material) {
       return 0.35;
     case Material::kCardboard:
       return 0.55;
+    case Material::kPoster:
+      return 0.7;
   }
   return 0;
 }

@@ -25,7 +25,7 @@ struct Vec3 {
 };
 
 /// What something is made of: how it looks to a lidar and to a camera.
-enum class Material { kWall, kDoor, kFurniture, kCardboard };
+enum class Material { kWall, kDoor, kFurniture, kCardboard, kPoster };
 
 /// A side of something upright on the floor.
 struct Panel {
@@ -51,6 +51,7 @@ struct StillScene {
   std::vector<Panel> panels;
   std::vector<Roof> roofs;
   double ceiling = std::numeric_limits<double>::infinity();  ///< [m]; infinity: the sky
+  double light = 1;  ///< for cameras: 1 with all lamps on, 0.02 nearly dark
 };
 
 /// Where a ray ends.

@@ -42,6 +42,8 @@ TEST(Floor, ReadsEveryKindOfThing) {
   EXPECT_EQ(ErrorsOf("people: [{name: a, speed: 1, path: [[0, 0], [1, 1]]}]"), "");
   EXPECT_EQ(ErrorsOf("people: [{name: a, speed: 1, height: 1.6, path: [[0, 0], [1, 1]]}]"), "");
   EXPECT_EQ(ErrorsOf("waypoints: [{name: w, pose: [1, 2, 3]}]"), "");
+  EXPECT_EQ(ErrorsOf("furniture: [{name: f, at: [1, 1], size: [1, 2], height: 2, poster: yes}]"),
+            "");
   EXPECT_EQ(ErrorsOf("glass: [[[0, 0], [4, 0]]]"), "");
   EXPECT_EQ(ErrorsOf("doors: [{name: d, kind: sliding, hinge: [0, 0], end: [1, 0], state: open}]"),
             "");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 
 #include "robot_app/common/compressed_picture.h"
 #include "robot_app/simulation/floor_scene.h"
@@ -50,6 +51,49 @@ class RgbdCameraTest : public testing::Test {
  protected:
   StillScene still_;
 };
+
+// Mean of the colours of a picture, 0..255.
+double Brightness(const RgbdPicture& picture) {
+  double sum = 0;
+  for (const std::uint8_t byte : picture.colour.rgb) sum += byte;
+  return sum / static_cast<double>(picture.colour.rgb.size());
+}
+
+// How much neighbours differ on a bare wall.
+double Grain(const RgbdPicture& picture) {
+  double sum = 0;
+  for (int row = 150; row < 170; ++row) {
+    for (int column = 300; column < 340; ++column) {
+      sum += std::abs(picture.colour.at(column, row)[0] - picture.colour.at(column + 1, row)[0]);
+    }
+  }
+  return sum;
+}
+
+TEST_F(RgbdCameraTest, LessLightIsBalancedUpToALimitAndMakesThePictureNoisy) {
+  const RgbdPicture full = Take();
+  still_.light = 0.25;
+  const RgbdPicture dim = Take();
+  still_.light = 0.02;
+  const RgbdPicture dark = Take();
+  EXPECT_NEAR(Brightness(dim), Brightness(full), 3);
+  EXPECT_GT(Grain(dim), 2 * Grain(full));
+  EXPECT_LT(Brightness(dark), 0.3 * Brightness(full));
+}
+
+TEST_F(RgbdCameraTest, APosterIsManyColouredAndItsWallIsNot) {
+  const auto colours = [&](int first, int last) {
+    std::set<Colour> found;
+    RgbdOptions clear;
+    clear.colour_noise = 0;
+    const RgbdPicture seen = RgbdCamera(clear, 1).Take(Scene(still_), {}, {0, 0, 0}, kLensHeight);
+    for (int column = first; column < last; ++column) found.insert(seen.colour.at(column, 200));
+    return found.size();
+  };
+  const std::size_t bare = colours(280, 370);
+  still_.AddBox({{4.99, 0}, {0.004, 1.4}, 0}, 2.2, Material::kPoster);
+  EXPECT_GT(colours(280, 370), bare + 4);
+}
 
 TEST_F(RgbdCameraTest, DepthIsAlongTheOpticalAxisTheSameAllOverAWall) {
   const RgbdPicture seen = Take();
