@@ -3,11 +3,12 @@
 #ifndef COPPICE_ROBOT_APP_PERCEPTION_CLOUDS_PERSON_CLASSIFIER_H_
 #define COPPICE_ROBOT_APP_PERCEPTION_CLOUDS_PERSON_CLASSIFIER_H_
 
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt_core/base/outcome.h"
+#include "robot_app/common/learning/boosted_trees.h"
 #include "robot_app/perception/clouds/features.h"
 
 namespace coppice::robot::perception {
@@ -23,27 +24,19 @@ class PersonClassifier {
     Features features;
     bool is_person = false;
   };
-  struct Training {
-    int trees = 80;
-    int depth = 3;
-  };
+  using Training = BoostedTrees::Training;
   /// Learns from at least one example of each kind; the same examples give the same classifier.
   static Expected<PersonClassifier> Train(const std::vector<Example>& examples,
                                           const Training& training);
 
-  PersonClassifier(PersonClassifier&&) noexcept;
-  PersonClassifier& operator=(PersonClassifier&&) noexcept;
-  ~PersonClassifier();
-
-  Outcome Save(const std::string& file) const;
+  Outcome Save(const std::string& file) const { return trees_.Save(file); }
 
   /// 0..1: how sure it is that these are features of a person.
-  float Probability(const Features& features) const;
+  float Probability(const Features& features) const { return trees_.Probability(features.data()); }
 
  private:
-  struct Trees;
-  explicit PersonClassifier(std::unique_ptr<Trees> trees);
-  std::unique_ptr<Trees> trees_;
+  explicit PersonClassifier(BoostedTrees trees) : trees_(std::move(trees)) {}
+  BoostedTrees trees_;
 };
 
 }  // namespace coppice::robot::perception
