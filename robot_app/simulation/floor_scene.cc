@@ -20,8 +20,7 @@ StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open
   still.ceiling = floor.wall_height;
   AddWalls(floor.walls, floor.wall_height, still);
   for (const FloorBox& box : floor.furniture) {
-    still.AddBox(box.shape, box.height,
-                 box.is_poster ? Material::kPoster : Material::kFurniture);
+    still.AddBox(box.shape, box.height, box.is_poster ? Material::kPoster : Material::kFurniture);
   }
   for (std::size_t i = 0; i < floor.places.size(); ++i) {
     const FloorBox& box = floor.places[i];

@@ -8,7 +8,10 @@
 #include "robot_app/perception/detection/mask_detector.h"
 #include "robot_app/training/mask_training.h"
 #include "robot_app/training/people_training.h"
+#include "robot_app/training/place_figures.h"
+#include "robot_app/training/place_training.h"
 #include "robot_app/training/tracking_figures.h"
+#include "robot_app/training/vocabulary_training.h"
 
 namespace coppice::robot::training {
 namespace {
@@ -19,15 +22,19 @@ constexpr CameraPeriods kWithoutLidar{0.2, 0.5};
 
 const Command kTrain{
     "coppice-train",
-    "learn to see people in clouds of the 3-D lidar, and masks in pictures",
-    {"people|masks FILE", 2, 2},
-    "Writes FILE, a classifier of people learnt from simulated scans, or one of\n"
-    "faces and masks learnt from generated pictures, of random halls. With\n"
-    "--measure it says how well FILE finds people on the institute's floor, or\n"
-    "faces and masks in other pictures. The same options write the same file.",
+    "learn to see people in clouds of the 3-D lidar, masks and places in pictures",
+    {"people|masks|vocabulary|places FILE", 2, 2},
+    "Writes FILE, a classifier of people learnt from simulated scans, one of faces\n"
+    "and masks learnt from generated pictures, of random halls, the words of\n"
+    "pictures (vocabulary) or a classifier of clouds (places) by which places are\n"
+    "recognized. With --measure it says how well FILE finds people or places on the\n"
+    "institute's floor, or faces and masks in other pictures. The same options write\n"
+    "the same file.",
     {CommandOption::Whole("--seed", "N", 1, 1000000000, "of the halls; else 1"),
-     CommandOption::Whole("--scans", "N", 1, 100000, "of a round, for people; else 700"),
-     CommandOption::Whole("--pictures", "N", 1, 100000, "for masks; else 600, to measure 100"),
+     CommandOption::Whole("--scans", "N", 1, 100000,
+                          "of a round, for people, else 700; halls, for places, else 300"),
+     CommandOption::Whole("--pictures", "N", 1, 100000,
+                          "for masks, else 600, to measure 100; for words, else 400"),
      CommandOption::Whole("--rounds", "N", 1, 10, "else 3"),
      CommandOption::Flag("--measure", "reads FILE instead of writing it"),
      CommandOption::Flag("--without-picture", "measure people with clusters by distance alone"),
@@ -139,6 +146,56 @@ int TrainMasksTo(const Options& options) {
   return saved ? 0 : Fail(saved.problem());
 }
 
+int TrainVocabularyTo(const Options& options) {
+  VocabularyTrainingOptions training;
+  training.seed = SeedOf(options);
+  training.pictures = static_cast<int>(options.Whole("--pictures", training.pictures));
+  const auto vocabulary = TrainVocabulary(training, Say);
+  std::fputs("\n", stderr);
+  if (!vocabulary) return Fail(vocabulary.problem());
+  const Outcome saved = vocabulary->Save(options.files[1]);
+  return saved ? 0 : Fail(saved.problem());
+}
+
+int TrainPlacesTo(const Options& options) {
+  PlaceTrainingOptions training;
+  training.seed = SeedOf(options);
+  training.halls = static_cast<int>(options.Whole("--scans", training.halls));
+  const auto classifier = TrainPlaces(training, Say);
+  std::fputs("\n", stderr);
+  if (!classifier) return Fail(classifier.problem());
+  const Outcome saved = classifier->Save(options.files[1]);
+  return saved ? 0 : Fail(saved.problem());
+}
+
+// Clouds are as good in the dark as by day; they are measured with all places asked for, and with
+// those alone that odometry may confuse.
+int MeasurePlacesIn(const Options& options) {
+  Diagnostics diagnostics;
+  const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
+  if (!floor) return Fail(diagnostics.ToString());
+  const auto robot = RobotDescription::Load(COPPICE_ROBOT);
+  if (!robot) return Fail(robot.problem());
+  const auto sensors = SensorsOf(*robot);
+  if (!sensors) return Fail(sensors.problem());
+  PlaceStudy study{
+      *floor, *sensors, RoundOfTheInstitute(), {1, 0.3, 0.1, 0.05, 0.02}, MeasuringSeed(options)};
+  if (options.files[0] == "vocabulary") {
+    const auto vocabulary = slam::Vocabulary::Load(options.files[1]);
+    if (!vocabulary) return Fail(vocabulary.problem());
+    std::fputs(Table(MeasurePictures(*vocabulary, study, Say)).c_str(), stdout);
+    return 0;
+  }
+  const auto classifier = slam::PlaceClassifier::Load(options.files[1]);
+  if (!classifier) return Fail(classifier.problem());
+  study.lights = {0.02};
+  for (const double doubt : {1e9, 5.0}) {
+    study.doubt = doubt;
+    std::fputs(Table(MeasureClouds(*classifier, study, Say)).c_str(), stdout);
+  }
+  return 0;
+}
+
 int Main(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(kTrain, arguments);
   if (options.exit) return *options.exit;
@@ -149,7 +206,14 @@ int Main(const std::vector<std::string>& arguments) {
   if (options.files[0] == "masks") {
     return measures ? MeasureMasksIn(options) : TrainMasksTo(options);
   }
-  return RefuseOptions(kTrain, "it can learn people and masks, not \"" + options.files[0] + "\"");
+  if (options.files[0] == "vocabulary") {
+    return measures ? MeasurePlacesIn(options) : TrainVocabularyTo(options);
+  }
+  if (options.files[0] == "places") {
+    return measures ? MeasurePlacesIn(options) : TrainPlacesTo(options);
+  }
+  return RefuseOptions(kTrain, "it can learn people, masks, a vocabulary and places, not \"" +
+                                   options.files[0] + "\"");
 }
 
 }  // namespace

@@ -71,6 +71,8 @@ FLOORS = {
                                    "([localization](localization.md))",
          "robot_app/mapping": "making a map while a person drives, maps in files, the map server "
                               "([localization](localization.md#making-a-map))",
+         "robot_app/slam": "maps in three dimensions over many sessions: pose graph, places in "
+                           "pictures and clouds, voxels ([maps](slam.md))",
          "robot_app/navigation": "planner, follower; the action servers `move_base` and "
                                  "`motion`",
          "robot_app/perception": "people: in the clouds of the 3-D lidar, over time, on `/people` "
@@ -142,6 +144,9 @@ PROGRAMS = {
 # Arrows beside the floors, each with its reason.
 ARROWS = {
     ("robot_app/mapping", "robot_app/localization"): "a map is made with the same scan matching",
+    ("robot_app/slam", "robot_app/localization"): "odometry of the last seconds",
+    ("robot_app/slam", "robot_app/mapping"): "grids as messages",
+    ("robot_app/slam", "robot_app/perception"): "the same clouds and pictures come as messages",
     ("robot_app/assistance", "robot_app/teleoperation"): "the page drives",
     ("robot_app/tablet", "robot_app/knowledge"): "what is pressed is answered from it",
 }

@@ -11,7 +11,7 @@ import sys
 
 PROGRAMS = ("coppice-simulator", "coppice-simulated-cameras", "coppice-odometry-filter",
             "coppice-localization", "coppice-map-server", "coppice-mapping", "coppice-navigation",
-            "coppice-docking", "coppice-people", "coppice-camera",
+            "coppice-docking", "coppice-people", "coppice-camera", "coppice-slam",
             "coppice-expression", "coppice-speech")
 PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs/parameters.md"
 BEGIN, END = "<!-- tables: parameter_tables.py --write -->\n", "<!-- end of tables -->\n"

@@ -1,0 +1,104 @@
+#include "robot_app/slam/clouds/cloud_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coppice::robot::slam {
+namespace {
+
+constexpr BoostedTrees::Subject kSubject{"place_classifier", static_cast<int>(kPairFeatures),
+                                         "places"};
+
+// A first impression: how much the scalars differ, each in shares of itself.
+float Unlike(const CloudDescriptor& a, const CloudDescriptor& b) {
+  float sum = 0;
+  for (std::size_t i = 0; i < kScalars; ++i) {
+    const float size = std::abs(a.scalars[i]) + std::abs(b.scalars[i]) + 1e-3F;
+    sum += std::abs(a.scalars[i] - b.scalars[i]) / size;
+  }
+  return sum;
+}
+
+Pose3 Turned(double yaw) {
+  Pose3 pose = Pose3::Identity();
+  pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return pose;
+}
+
+}  // namespace
+
+Expected<PlaceClassifier> PlaceClassifier::Train(const std::vector<Example>& examples) {
+  std::vector<BoostedTrees::Example> rows;
+  rows.reserve(examples.size());
+  for (const Example& example : examples) {
+    rows.push_back({{example.features.begin(), example.features.end()}, example.is_same});
+  }
+  auto trees = BoostedTrees::Train(kSubject, rows, {});
+  if (!trees) return Problem{trees.problem()};
+  return PlaceClassifier(*std::move(trees));
+}
+
+Expected<PlaceClassifier> PlaceClassifier::Load(const std::string& file) {
+  auto trees = BoostedTrees::Load(file, kSubject);
+  if (!trees) return Problem{trees.problem()};
+  return PlaceClassifier(*std::move(trees));
+}
+
+KnownCloud Keep(const CloudPoints& points, double range) {
+  return {Describe(points), ThinOut(points, 0.2, range)};
+}
+
+void CloudPlaces::Add(std::uint32_t key_frame, KnownCloud cloud) {
+  clouds_.push_back(std::move(cloud));
+  key_frames_.push_back(key_frame);
+}
+
+void CloudPlaces::Remove(std::uint32_t key_frame) {
+  for (std::size_t i = key_frames_.size(); i-- > 0;) {
+    if (key_frames_[i] != key_frame) continue;
+    clouds_[i] = std::move(clouds_.back());
+    key_frames_[i] = key_frames_.back();
+    clouds_.pop_back();
+    key_frames_.pop_back();
+  }
+}
+
+std::vector<CloudPlaces::Candidate> CloudPlaces::Candidates(
+    const KnownCloud& cloud, const std::function<bool(std::uint32_t)>& is_asked) const {
+  std::vector<std::pair<float, std::size_t>> near;
+  for (std::size_t i = 0; i < clouds_.size(); ++i) {
+    if (is_asked(key_frames_[i]))
+      near.push_back({Unlike(clouds_[i].descriptor, cloud.descriptor), i});
+  }
+  const std::size_t compared = std::min(settings_.compared, near.size());
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(compared), near.end());
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < compared; ++i) {
+    const std::size_t known = near[i].second;
+    const float probability = classifier_.Probability(clouds_[known].descriptor, cloud.descriptor);
+    if (probability >= settings_.least_probability) candidates.push_back({known, probability});
+  }
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.probability > b.probability; });
+  candidates.resize(std::min(candidates.size(), settings_.candidates));
+  return candidates;
+}
+
+std::optional<CloudPlace> CloudPlaces::Find(
+    const KnownCloud& cloud, const std::function<bool(std::uint32_t)>& is_asked) const {
+  std::optional<CloudPlace> best;
+  for (const Candidate& candidate : Candidates(cloud, is_asked)) {
+    const KnownCloud& known = clouds_[candidate.cloud];
+    for (const double turn : LikelyTurns(known.descriptor, cloud.descriptor, settings_.turns)) {
+      const auto registration =
+          Register(known.thin, cloud.thin, Turned(turn), settings_.registration);
+      if (!registration) continue;
+      if (best && registration->overlap <= best->registration.overlap) continue;
+      best = CloudPlace{key_frames_[candidate.cloud], candidate.probability, *registration};
+    }
+  }
+  return best;
+}
+
+}  // namespace coppice::robot::slam

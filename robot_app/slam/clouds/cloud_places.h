@@ -1,0 +1,99 @@
+// All turns of the lidar that were kept, and the question where a new one was measured: a
+// classifier of pairs finds candidates, registration decides.
+//
+// K. Granstrom et al. (see cloud_descriptor.h); T.-L. Habich, M. Stuede, M. Labbe, S. Spindeldreier:
+// Have I been here before? Learning to Close the Loop with LiDAR Data in Graph-Based SLAM, AIM 2021:
+// candidates by the classifier, then registration in steps, refused when it does not fit.
+#ifndef COPPICE_ROBOT_APP_SLAM_CLOUDS_CLOUD_PLACES_H_
+#define COPPICE_ROBOT_APP_SLAM_CLOUDS_CLOUD_PLACES_H_
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot_app/common/learning/boosted_trees.h"
+#include "robot_app/slam/clouds/cloud_descriptor.h"
+#include "robot_app/slam/clouds/registration.h"
+
+namespace coppice::robot::slam {
+
+/// How likely it is that two clouds were measured at one place; learnt by `coppice-train places`.
+class PlaceClassifier {
+ public:
+  struct Example {
+    PairFeatures features;
+    bool is_same = false;
+  };
+  static Expected<PlaceClassifier> Train(const std::vector<Example>& examples);
+  static Expected<PlaceClassifier> Load(const std::string& file);
+  Outcome Save(const std::string& file) const { return trees_.Save(file); }
+
+  float Probability(const CloudDescriptor& a, const CloudDescriptor& b) const {
+    return trees_.Probability(Compare(a, b).data());
+  }
+
+ private:
+  explicit PlaceClassifier(BoostedTrees trees) : trees_(std::move(trees)) {}
+  BoostedTrees trees_;
+};
+
+/// A turn as it is kept.
+struct KnownCloud {
+  CloudDescriptor descriptor;
+  ThinCloud thin;
+};
+KnownCloud Keep(const CloudPoints& points, double range = 20);
+
+struct CloudPlace {
+  std::uint32_t key_frame = 0;
+  float probability = 0;  ///< of the classifier
+  Registration registration;
+};
+
+struct CloudPlacesSettings {
+  std::size_t compared = 60;   ///< the clouds of the likest scalars, which the classifier looks at
+  std::size_t candidates = 2;  ///< that are registered
+  std::size_t turns = 2;       ///< that each candidate is tried with
+  float least_probability = 0.5F;
+  RegistrationSettings registration;
+};
+
+/// Not thread-safe. The classifier must outlive it.
+class CloudPlaces {
+ public:
+  explicit CloudPlaces(const PlaceClassifier& classifier, CloudPlacesSettings settings = {})
+      : classifier_(classifier), settings_(settings) {}
+
+  void Add(std::uint32_t key_frame, KnownCloud cloud);
+
+  /// Takes the clouds of a key frame out again.
+  void Remove(std::uint32_t key_frame);
+
+  /// The key frame that the cloud lies upon best, sure or not (IsSure), of those that `is_asked`
+  /// holds for. Nothing: the classifier knows none, or none can be registered.
+  std::optional<CloudPlace> Find(const KnownCloud& cloud,
+                                 const std::function<bool(std::uint32_t)>& is_asked) const;
+
+  const CloudPlacesSettings& settings() const { return settings_; }
+
+ private:
+  struct Candidate {
+    std::size_t cloud = 0;
+    float probability = 0;
+  };
+  std::vector<Candidate> Candidates(const KnownCloud& cloud,
+                                    const std::function<bool(std::uint32_t)>& is_asked) const;
+
+  const PlaceClassifier& classifier_;
+  CloudPlacesSettings settings_;
+  // Of each cloud.
+  std::vector<KnownCloud> clouds_;
+  std::vector<std::uint32_t> key_frames_;
+};
+
+}  // namespace coppice::robot::slam
+
+#endif  // COPPICE_ROBOT_APP_SLAM_CLOUDS_CLOUD_PLACES_H_

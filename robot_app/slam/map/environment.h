@@ -1,0 +1,83 @@
+// Which configuration suits the place where the robot is: how far the walls are and how bright it
+// is decide, with hysteresis, so that a doorway does not make it flutter.
+//
+// | configuration | walls                      | range of the map |
+// |---|---|---|
+// | indoor        | near                       | short            |
+// | hall          | far                        | longer           |
+// | outdoor       | hardly any, and it is bright | long           |
+//
+// In the dark the cameras are not asked for places. S. Ehlers, M. Stuede, K. Nuelle, T. Ortmaier:
+// Map Management Approach for SLAM in Large-Scale Indoor and Outdoor Areas, ICRA 2020.
+#ifndef COPPICE_ROBOT_APP_SLAM_MAP_ENVIRONMENT_H_
+#define COPPICE_ROBOT_APP_SLAM_MAP_ENVIRONMENT_H_
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "robot_app/slam/clouds/cloud_descriptor.h"
+
+namespace coppice::robot::slam {
+
+enum class Surroundings { kIndoor, kHall, kOutdoor };
+
+/// "indoor", "hall", "outdoor"; nothing for another word.
+const char* NameOf(Surroundings surroundings);
+std::optional<Surroundings> SurroundingsOf(const std::string& name);
+
+/// What a configuration changes.
+struct SlamConfiguration {
+  Surroundings surroundings = Surroundings::kIndoor;
+  double range = 8;  ///< of what is entered into the map [m]
+};
+SlamConfiguration ConfigurationFor(Surroundings surroundings);
+
+struct EnvironmentSettings {
+  double hall = 5.5;    ///< walls that are farther than this make a hall [m],
+  double indoor = 4.5;  ///< nearer than this again none
+  double open = 0.5;    ///< share of the directions without a wall: outdoors,
+  double closed = 0.3;  ///< less than this again not
+  double patience = 3;  ///< so long it must be so before it is believed [s]
+  double dark = 0.05;   ///< brightness of a picture in which nothing is recognized, 0..1
+};
+
+/// What is judged by.
+struct EnvironmentReading {
+  double walls = 0;       ///< median of the distances to walls [m]
+  double open = 0;        ///< share of the directions in which there is none, 0..1
+  double brightness = 1;  ///< of the pictures, 0..1
+};
+EnvironmentReading Read(const CloudDescriptor& cloud, double brightness);
+
+class Environment {
+ public:
+  explicit Environment(EnvironmentSettings settings = {}) : settings_(settings) {}
+
+  /// `stamp` in seconds, ascending; of the first reading nothing is waited for.
+  void Add(double stamp, const EnvironmentReading& reading);
+
+  /// A person says what it is; nothing: it is judged again.
+  void Force(std::optional<Surroundings> surroundings) { forced_ = surroundings; }
+
+  Surroundings surroundings() const {
+    return forced_.value_or(judged_.value_or(Surroundings::kIndoor));
+  }
+  bool is_forced() const { return forced_.has_value(); }
+  bool is_dark() const { return reading_.brightness < settings_.dark; }
+  const EnvironmentReading& reading() const { return reading_; }
+
+ private:
+  Surroundings Judge(const EnvironmentReading& reading) const;
+
+  EnvironmentSettings settings_;
+  EnvironmentReading reading_;
+  std::optional<Surroundings> judged_;
+  std::optional<Surroundings> forced_;
+  Surroundings other_ = Surroundings::kIndoor;  // that it may have become
+  double since_ = 0;                            // when it began to look so
+};
+
+}  // namespace coppice::robot::slam
+
+#endif  // COPPICE_ROBOT_APP_SLAM_MAP_ENVIRONMENT_H_

@@ -1,0 +1,192 @@
+#include "robot_app/slam/map/slam_mapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coppice::robot::slam {
+namespace {
+
+// Odometry between two key frames: standard deviations at rest, and more for each metre and radian.
+constexpr double kSlip = 0.004;  // m
+constexpr double kSlipPerMetre = 0.015;
+constexpr double kTwist = 0.003;  // rad
+constexpr double kTwistPerMetre = 0.004;
+constexpr double kTwistPerRadian = 0.01;
+// What closures measure.
+constexpr double kPicturePlace = 0.05;  // m
+constexpr double kPictureTurn = 0.012;  // rad
+constexpr double kCloudPlace = 0.04;
+constexpr double kCloudTurn = 0.01;
+
+constexpr float kKeptEdge = 0.1F;      // m: a point in each such cube is kept
+constexpr float kKeptRange = 40;       // m
+constexpr double kNear = 4;            // m: what is of use there is in the working memory
+constexpr std::size_t kRetrieved = 4;  // at once
+constexpr double kLeastDoubt = 1.5;    // m: clouds are asked for places so near to the robot
+constexpr double kMostDoubt = 6;       // m
+constexpr double kBetweenClouds = 1;   // m of way between two closures by clouds
+
+double AngleOf(const Pose3& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }
+
+Matrix6 OfStep(const Pose3& moved) {
+  const double way = moved.translation().norm();
+  return InformationOf(kSlip + kSlipPerMetre * way,
+                       kTwist + kTwistPerMetre * way + kTwistPerRadian * AngleOf(moved));
+}
+
+}  // namespace
+
+SlamMapper::SlamMapper(const Vocabulary& vocabulary, const PlaceClassifier& classifier,
+                       MapperSettings settings)
+    : settings_(std::move(settings)),
+      graph_(settings_.graph),
+      pictures_(vocabulary, settings_.pictures),
+      clouds_(classifier, settings_.clouds),
+      memory_(settings_.working),
+      environment_(settings_.environment) {}
+
+void SlamMapper::Resume(SlamMap map) {
+  graph_ = SessionGraph(settings_.graph, std::move(map.graph), std::move(map.sessions));
+  key_frames_ = std::move(map.key_frames);
+  names_ = std::move(map.names);
+  for (std::uint32_t i = 0; i < key_frames_.size(); ++i) memory_.Add();
+  memory_.Use({}, 0);
+  for (std::uint32_t i = 0; i < key_frames_.size(); ++i) {
+    if (memory_.IsWorking(i)) Remember(i);
+  }
+}
+
+void SlamMapper::BeginSession(const std::string& name) {
+  graph_.BeginSession();
+  names_.push_back({name, 0});
+  is_first_ = true;
+  session_begin_ = static_cast<std::uint32_t>(key_frames_.size());
+  way_ = closed_at_ = 0;
+}
+
+bool SlamMapper::IsDue(const Pose3& odometry) const {
+  if (is_first_) return true;
+  const Pose3 moved = at_key_frame_.inverse() * odometry;
+  return moved.translation().norm() >= settings_.step || AngleOf(moved) >= settings_.turn;
+}
+
+MapperReport SlamMapper::Add(const Sight& sight) {
+  const Pose3 moved = is_first_ ? Pose3::Identity() : at_key_frame_.inverse() * sight.odometry;
+  if (is_first_) names_.back().begin = sight.stamp;
+  is_first_ = false;
+  at_key_frame_ = sight.odometry;
+  way_ += moved.translation().norm();
+  MapperReport report;
+  report.key_frame = graph_.AddPose(moved, OfStep(moved));
+
+  auto key_frame = std::make_shared<KeyFrame>();
+  key_frame->stamp = sight.stamp;
+  key_frame->descriptor = Describe(sight.cloud);
+  environment_.Add(sight.stamp, Read(key_frame->descriptor, sight.brightness));
+  key_frame->range = ConfigurationFor(environment_.surroundings()).range;
+  key_frame->points = Thinned(sight.cloud, kKeptEdge, kKeptRange);
+  for (const SightPicture& picture : sight.pictures) {
+    key_frame->pictures.push_back(std::make_shared<PictureFeatures>(picture.features));
+  }
+  key_frames_.push_back(key_frame);
+  memory_.Add();
+  if (!environment_.is_dark()) LookAtPictures(sight, report);
+  LookAtCloud({key_frame->descriptor, ThinOut(key_frame->points)}, report);
+  Remember(report.key_frame);
+  Apply(memory_.Use(Near(kNear), kRetrieved));
+  return report;
+}
+
+void SlamMapper::Remember(std::uint32_t key_frame) {
+  const KeyFrame& kept = *key_frames_[key_frame];
+  for (const auto& picture : kept.pictures) pictures_.Add(key_frame, picture);
+  clouds_.Add(key_frame, {kept.descriptor, ThinOut(kept.points)});
+}
+
+void SlamMapper::Apply(const MemoryChange& change) {
+  for (const std::uint32_t key_frame : change.forgotten) {
+    pictures_.Remove(key_frame);
+    clouds_.Remove(key_frame);
+  }
+  for (const std::uint32_t key_frame : change.retrieved) Remember(key_frame);
+}
+
+// Key frames of the map around the newest one.
+std::vector<std::uint32_t> SlamMapper::Near(double radius) const {
+  std::vector<std::uint32_t> near;
+  const auto newest = static_cast<std::uint32_t>(graph_.poses().size() - 1);
+  for (std::uint32_t i = 0; i < newest; ++i) {
+    if (!graph_.InOneMap(i, newest)) continue;
+    const Pose3& pose = graph_.poses()[i];
+    if ((pose.translation() - graph_.poses()[newest].translation()).norm() <= radius) {
+      near.push_back(i);
+    }
+  }
+  return near;
+}
+
+bool SlamMapper::IsOld(std::uint32_t key_frame) const {
+  return key_frame < session_begin_ || key_frame + settings_.recent < graph_.poses().size();
+}
+
+void SlamMapper::LookAtPictures(const Sight& sight, MapperReport& report) {
+  std::optional<PicturePlace> best;
+  for (const SightPicture& picture : sight.pictures) {
+    const auto found = pictures_.Find(picture.features, picture.camera,
+                                      [this](std::uint32_t k) { return IsOld(k); });
+    if (!found || !IsSure(found->match, settings_.pictures.match)) continue;
+    if (!best || found->match.inliers > best->match.inliers) best = found;
+  }
+  if (!best) return;
+  report.by_picture = Link{best->key_frame, report.key_frame, best->match.relative,
+                           InformationOf(kPicturePlace, kPictureTurn), LinkKind::kPicture};
+  report.of_picture = Close(*report.by_picture);
+}
+
+void SlamMapper::LookAtCloud(const KnownCloud& cloud, MapperReport& report) {
+  if (closed_at_ > 0 && way_ - closed_at_ < kBetweenClouds) return;
+  const double doubt = std::min(kLeastDoubt + settings_.drift * (way_ - closed_at_), kMostDoubt);
+  const auto found = clouds_.Find(cloud, [&](std::uint32_t k) {
+    if (!IsOld(k) || !graph_.InOneMap(k, report.key_frame)) return false;
+    const auto& poses = graph_.poses();
+    return (poses[k].translation() - poses[report.key_frame].translation()).norm() <= doubt;
+  });
+  if (!found || !IsSure(found->registration, settings_.clouds.registration)) return;
+  report.by_cloud = Link{found->key_frame, report.key_frame, found->registration.relative,
+                         InformationOf(kCloudPlace, kCloudTurn), LinkKind::kCloud};
+  report.of_cloud = Close(*report.by_cloud);
+}
+
+Verdict SlamMapper::Close(const Link& link) {
+  const Verdict verdict = graph_.AddClosure(link);
+  if (verdict == Verdict::kBelieved) closed_at_ = way_;
+  return verdict;
+}
+
+Pose3 SlamMapper::PoseOf(const Pose3& odometry) const {
+  if (is_first_) return Pose3::Identity();
+  return graph_.poses().back() * at_key_frame_.inverse() * odometry;
+}
+
+bool SlamMapper::IsJoined() const {
+  if (is_first_) return key_frames_.empty();
+  const std::uint32_t last = graph_.session_count();
+  return last <= 1 || graph_.map_of(last - 1) != last - 1;
+}
+
+SlamMap SlamMapper::Map() const { return {key_frames_, graph_.graph(), graph_.sessions(), names_}; }
+
+VoxelMap VoxelsOf(const SlamMap& map, std::uint32_t of_session, const Eigen::Vector3d& lidar,
+                  double resolution) {
+  const SessionGraph graph({}, map.graph, map.sessions);
+  VoxelMap voxels(resolution);
+  for (std::size_t i = 0; i < map.key_frames.size(); ++i) {
+    if (graph.map_of(map.sessions[i]) != graph.map_of(of_session)) continue;
+    const KeyFrame& key_frame = *map.key_frames[i];
+    voxels.Add(key_frame.points, map.graph.poses[i], lidar, key_frame.range);
+  }
+  return voxels;
+}
+
+}  // namespace coppice::robot::slam

@@ -1,0 +1,111 @@
+// coppice-map: what is in a map of many sessions; paints it and writes the grid that the map server
+// reads.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/command_line.h"
+#include "bt_core/model/write_file.h"
+#include "robot_app/common/compressed_picture.h"
+#include "robot_app/slam/drawing/map_picture.h"
+#include "robot_app/slam/map/slam_map_file.h"
+#include "robot_app/slam/map/slam_mapper.h"
+
+namespace coppice::robot::slam {
+namespace {
+
+const Command kMap{
+    "coppice-map",
+    "show a map in three dimensions",
+    {"FOLDER|FILE", 1, 1},
+    "Prints the sessions of the newest map in FOLDER, or of one version of it, with\n"
+    "their key frames and closures. The plan shows the way of each session and what\n"
+    "closed its loops.",
+    {CommandOption::Text("--plan", "FILE", "paint it from above (JPEG)"),
+     CommandOption::Text("--voxels", "FILE", "write the voxels as OctoMap reads them (.bt)"),
+     CommandOption::Real("--resolution", "M", 0.02, 1, "of voxels and plan; else 0.1"),
+     CommandOption::Whole("--session", "N", 1, 1000000,
+                          "show the map in which this session lies; else 1")}};
+
+int Fail(const std::string& problem) {
+  std::fprintf(stderr, "coppice-map: %s\n", problem.c_str());
+  return 1;
+}
+
+Expected<LoadedMap> Load(const std::string& name) {
+  if (std::filesystem::is_directory(name)) return LoadSlamMap(name);
+  auto map = ReadSlamMap(name);
+  if (!map) return Problem{map.problem()};
+  return LoadedMap{*std::move(map), 0, ""};
+}
+
+struct SessionFigures {
+  int key_frames = 0;
+  double way = 0;  // [m]
+  int by_picture = 0, by_cloud = 0;
+};
+
+std::vector<SessionFigures> FiguresOf(const SlamMap& map) {
+  std::vector<SessionFigures> figures(map.names.size());
+  for (const std::uint32_t session : map.sessions) ++figures[session].key_frames;
+  for (const Link& link : map.graph.links) {
+    SessionFigures& session = figures[map.sessions[link.to]];
+    if (link.kind == LinkKind::kStep) session.way += link.relative.translation().norm();
+    session.by_picture += link.kind == LinkKind::kPicture ? 1 : 0;
+    session.by_cloud += link.kind == LinkKind::kCloud ? 1 : 0;
+  }
+  return figures;
+}
+
+void Print(const LoadedMap& loaded) {
+  const SlamMap& map = loaded.map;
+  if (loaded.version > 0) std::printf("version %d\n", loaded.version);
+  const SessionGraph graph({}, map.graph, map.sessions);
+  const std::vector<SessionFigures> figures = FiguresOf(map);
+  std::printf("%-4s %-20s %4s %10s %8s %10s %9s\n", "", "session", "map", "key frames", "way [m]",
+              "by picture", "by cloud");
+  for (std::uint32_t i = 0; i < figures.size(); ++i) {
+    const SessionFigures& one = figures[i];
+    std::printf("%-4u %-20s %4u %10d %8.1f %10d %9d\n", i + 1, map.names[i].name.c_str(),
+                graph.map_of(i) + 1, one.key_frames, one.way, one.by_picture, one.by_cloud);
+  }
+}
+
+int Paint(const LoadedMap& loaded, const Options& options) {
+  const auto session = static_cast<std::uint32_t>(options.Whole("--session", 1) - 1);
+  if (session >= loaded.map.names.size()) {
+    return Fail("there is no session " + std::to_string(session + 1) + "; the map has " +
+                std::to_string(loaded.map.names.size()));
+  }
+  const VoxelMap voxels =
+      VoxelsOf(loaded.map, session, MapperSettings().lidar, options.Real("--resolution", 0.1));
+  if (options.Has("--voxels")) {
+    const Outcome saved = voxels.Save(options.Get("--voxels"));
+    if (!saved) return Fail(saved.problem());
+  }
+  if (!options.Has("--plan")) return 0;
+  const auto bytes = EncodeJpeg(DrawPlan(voxels.Project(), loaded.map, session), 90);
+  Diagnostics diagnostics;
+  if (WriteFile(options.Get("--plan"), {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                diagnostics))
+    return 0;
+  return Fail(diagnostics.ToString());
+}
+
+int Main(const std::vector<std::string>& arguments) {
+  const Options options = ParseOptions(kMap, arguments);
+  if (options.exit) return *options.exit;
+  const auto loaded = Load(options.files[0]);
+  if (!loaded) return Fail(loaded.problem());
+  if (!loaded->remark.empty()) {
+    std::fprintf(stderr, "coppice-map: %s; an older version is shown\n", loaded->remark.c_str());
+  }
+  Print(*loaded);
+  return options.Has("--plan") || options.Has("--voxels") ? Paint(*loaded, options) : 0;
+}
+
+}  // namespace
+}  // namespace coppice::robot::slam
+
+int main(int argc, char** argv) { return coppice::robot::slam::Main({argv + 1, argv + argc}); }

@@ -1,0 +1,158 @@
+#include "robot_app/slam/pictures/picture_match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/eigen.hpp>
+#include <opencv2/features2d.hpp>
+
+#include "robot_app/slam/graph/planar_fit.h"
+
+namespace coppice::robot::slam {
+namespace {
+
+constexpr float kMostDifference = 64;  // bits: more is something else
+constexpr float kClearly = 0.85F;      // the second best must differ so much more
+constexpr int kLeastPairs = 8;
+constexpr int kDraws = 200;  // of RANSAC
+constexpr double kCertain = 0.999;
+
+struct Pair {
+  std::size_t old_corner;
+  std::size_t new_corner;
+};
+
+// Descriptions as rows; they must outlive it.
+cv::Mat RowsOf(const std::vector<Descriptor>& descriptors) {
+  return {static_cast<int>(descriptors.size()), static_cast<int>(sizeof(Descriptor)), CV_8U,
+          const_cast<Descriptor*>(descriptors.data())};
+}
+
+// Each is the best for the other, and the second best is clearly worse; with depth in the old one.
+std::vector<Pair> PairsOf(const PictureFeatures& a, const PictureFeatures& b) {
+  std::vector<Pair> pairs;
+  if (a.size() < 2 || b.size() < 2) return pairs;
+  const cv::BFMatcher matcher(cv::NORM_HAMMING);
+  std::vector<std::vector<cv::DMatch>> forth;
+  std::vector<cv::DMatch> back;
+  matcher.knnMatch(RowsOf(a.descriptors), RowsOf(b.descriptors), forth, 2);
+  matcher.match(RowsOf(b.descriptors), RowsOf(a.descriptors), back);
+  for (const std::vector<cv::DMatch>& best : forth) {
+    const auto i = static_cast<std::size_t>(best[0].queryIdx);
+    const auto k = static_cast<std::size_t>(best[0].trainIdx);
+    if (best[0].distance > kMostDifference || best[0].distance > kClearly * best[1].distance ||
+        back[k].trainIdx != best[0].queryIdx || !a.points[i].allFinite()) {
+      continue;
+    }
+    pairs.push_back({i, k});
+  }
+  return pairs;
+}
+
+// The old base_link as the new lens sees it.
+struct Perspective {
+  cv::Mat rotation, translation;
+  std::vector<int> agree;
+};
+
+std::optional<Perspective> Solve(const std::vector<cv::Point3d>& points,
+                                 const std::vector<cv::Point2d>& pixels, const Lens& lens,
+                                 double most_off) {
+  const cv::Mat camera =
+      (cv::Mat_<double>(3, 3) << lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
+  Perspective found;
+  cv::theRNG().state = 1;  // the same pictures give the same pose
+  if (!cv::solvePnPRansac(points, pixels, camera, cv::noArray(), found.rotation, found.translation,
+                          false, kDraws, static_cast<float>(most_off), kCertain, found.agree,
+                          cv::SOLVEPNP_EPNP) ||
+      static_cast<int>(found.agree.size()) < kLeastPairs) {
+    return std::nullopt;
+  }
+  std::vector<cv::Point3d> best_points;
+  std::vector<cv::Point2d> best_pixels;
+  for (const int i : found.agree) {
+    best_points.push_back(points[static_cast<std::size_t>(i)]);
+    best_pixels.push_back(pixels[static_cast<std::size_t>(i)]);
+  }
+  cv::solvePnPRefineLM(best_points, best_pixels, camera, cv::noArray(), found.rotation,
+                       found.translation);
+  return found;
+}
+
+Pose3 OldInLens(const Perspective& perspective) {
+  cv::Mat matrix;
+  cv::Rodrigues(perspective.rotation, matrix);
+  Pose3 pose = Pose3::Identity();
+  Eigen::Matrix3d rotation;
+  cv::cv2eigen(matrix, rotation);
+  pose.linear() = rotation;
+  pose.translation() << perspective.translation.at<double>(0),
+      perspective.translation.at<double>(1), perspective.translation.at<double>(2);
+  return pose;
+}
+
+}  // namespace
+
+std::optional<PictureMatch> MatchPictures(const PictureFeatures& old_picture,
+                                          const PictureFeatures& new_picture,
+                                          const CameraMount& new_camera,
+                                          const MatchSettings& settings) {
+  const std::vector<Pair> pairs = PairsOf(old_picture, new_picture);
+  if (static_cast<int>(pairs.size()) < kLeastPairs) return std::nullopt;
+  std::vector<cv::Point3d> points;
+  std::vector<cv::Point2d> pixels;
+  for (const Pair& pair : pairs) {
+    const Eigen::Vector3f& point = old_picture.points[pair.old_corner];
+    const Eigen::Vector2f& pixel = new_picture.pixels[pair.new_corner];
+    points.emplace_back(point.x(), point.y(), point.z());
+    pixels.emplace_back(pixel.x(), pixel.y());
+  }
+  const auto perspective = Solve(points, pixels, new_camera.lens, settings.pixels);
+  if (!perspective) return std::nullopt;
+  PictureMatch match;
+  match.pairs = static_cast<int>(pairs.size());
+  match.relative = (new_camera.optical_in_base * OldInLens(*perspective)).inverse();
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  double squares = 0;
+  std::vector<Eigen::Vector3d> old_points, new_points;  // with depth in both
+  for (const int i : perspective->agree) {
+    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d expected =
+        match.relative.inverse() * old_picture.points[pair.old_corner].cast<double>();
+    const Eigen::Vector3f& seen = new_picture.points[pair.new_corner];
+    const double distance = expected.norm();
+    if (seen.allFinite() &&
+        (seen.cast<double>() - expected).norm() > settings.depth * std::max(1.0, distance / 2)) {
+      continue;
+    }
+    if (seen.allFinite()) {
+      old_points.push_back(old_picture.points[pair.old_corner].cast<double>());
+      new_points.push_back(seen.cast<double>());
+    }
+    ++match.inliers;
+    mean += expected;
+    squares += expected.squaredNorm();
+  }
+  mean /= std::max(match.inliers, 1);
+  match.spread =
+      std::sqrt(std::max(squares / std::max(match.inliers, 1) - mean.squaredNorm(), 0.0));
+  if (static_cast<int>(old_points.size()) >= kLeastPairs) {
+    const Pose3 by_depth = PlanarFit(old_points, new_points);
+    match.contradiction = (by_depth.translation() - match.relative.translation()).norm();
+  } else {
+    match.contradiction = HUGE_VAL;
+  }
+  return match;
+}
+
+bool IsSure(const PictureMatch& match, const MatchSettings& settings) {
+  const double tilt = std::acos(std::clamp(match.relative.linear()(2, 2), -1.0, 1.0));
+  return match.inliers >= settings.least_inliers &&
+         match.inliers >= settings.least_share * match.pairs &&
+         match.spread >= settings.least_spread &&
+         match.contradiction <= settings.most_contradiction && tilt <= settings.most_tilt &&
+         std::abs(match.relative.translation().z()) <= settings.most_rise &&
+         match.relative.translation().norm() <= settings.most_way;
+}
+
+}  // namespace coppice::robot::slam

@@ -1,0 +1,414 @@
+// coppice-slam: the mapper of this folder as the ROS node /slam.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "robot_app/common/ros_support.h"
+#include "robot_app/localization/pose_history.h"
+#include "robot_app/mapping/map_message.h"
+#include "robot_app/perception/camera/rgbd_topics.h"
+#include "robot_app/perception/people/cloud_decoder.h"
+#include "robot_app/slam/map/slam_map_file.h"
+#include "robot_app/slam/map/slam_mapper.h"
+
+namespace coppice::robot::slam {
+namespace {
+
+constexpr char kHelp[] =
+    "coppice-slam: makes a map in three dimensions over many sessions and knows where the robot is\n"
+    "on it, as the ROS node /slam. NAME is a camera: front or rear.\n"
+    "  subscribes  /odometry/filtered /velodyne_points /tf /tf_static (of the sensors)\n"
+    "              /camera/NAME/color/image_raw/compressed /camera/NAME/color/camera_info\n"
+    "              /camera/NAME/aligned_depth_to_color/image_raw/compressedDepth\n"
+    "  publishes   /slam/pose (geometry_msgs/PoseStamped, frame slam_map)\n"
+    "              /slam/grid (nav_msgs/OccupancyGrid, latched), /slam/graph (for RViz),\n"
+    "              /diagnostics\n"
+    "  service     /slam/save (std_srvs/Trigger: the next version of the map in ~map_folder)\n"
+    "Each start is a new session of the map in ~map_folder. A map is saved at the end, too.\n";
+
+constexpr double kStatePeriod = 1;    // wall time [s]
+constexpr double kSilence = 2;        // without a cloud: an error; wall time [s]
+constexpr double kSameMoment = 0.25;  // between a cloud and a picture that goes with it [s]
+constexpr double kDrawPeriod = 1;     // wall time [s]
+constexpr int kDrawnAtOnce = 5;       // key frames; one takes some 0.1 s
+constexpr double kDrawnWell = 0.1;    // a pose may be off in the voxels [m]
+constexpr char kShipped[] = "shipped";
+constexpr char kNone[] = "none";
+constexpr char kFrame[] = "slam_map";
+
+struct Settings {
+  std::string map_folder = kNone;
+  std::string session = "session";
+  std::string cameras = "front rear";
+  std::string surroundings = "auto";
+  std::string vocabulary = kShipped;
+  std::string classifier = kShipped;
+  double grid_period = 10;
+  int working = 2000;
+  MapperSettings mapper;
+};
+
+Parameters ParametersOf(Settings& settings) {
+  return {{"map_folder", &settings.map_folder, "with the versions of the map; none: a new one"},
+          {"session", &settings.session, "the name of this session"},
+          {"cameras", &settings.cameras, "front, rear or both"},
+          {"surroundings", &settings.surroundings, "indoor, hall or outdoor; auto: it judges"},
+          {"vocabulary", &settings.vocabulary, "a file of `coppice-train vocabulary`"},
+          {"classifier", &settings.classifier, "a file of `coppice-train places`"},
+          {"grid_period", &settings.grid_period, 1, 3600, "between grids on /slam/grid [s]"},
+          {"working", &settings.working, 10, 1000000, "key frames in the working memory"},
+          {"step", &settings.mapper.step, 0.1, 5, "a key frame after so much way [m]"},
+          {"turn", &settings.mapper.turn, 0.1, 3, "or after such a turn [rad]"},
+          {"resolution", &settings.mapper.resolution, 0.02, 1, "of voxels and grid [m]"}};
+}
+
+Pose3 ToPose3(const Pose2D& pose) {
+  Pose3 result = Pose3::Identity();
+  result.translation() << pose.x, pose.y, 0;
+  result.linear() = Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return result;
+}
+
+Pose3 ToPose3(const geometry_msgs::Transform& transform) {
+  Pose3 pose = Pose3::Identity();
+  const auto& q = transform.rotation;
+  const auto& at = transform.translation;
+  pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  pose.translation() << at.x, at.y, at.z;
+  return pose;
+}
+
+geometry_msgs::Pose ToPoseMessage(const Pose3& pose) {
+  geometry_msgs::Pose message;
+  const Eigen::Quaterniond q(pose.linear());
+  message.position.x = pose.translation().x();
+  message.position.y = pose.translation().y();
+  message.position.z = pose.translation().z();
+  message.orientation.x = q.x();
+  message.orientation.y = q.y();
+  message.orientation.z = q.z();
+  message.orientation.w = q.w();
+  return message;
+}
+
+class SlamNode {
+ public:
+  SlamNode(const Settings& settings, const Vocabulary& vocabulary,
+           const PlaceClassifier& classifier, std::optional<SlamMap> map)
+      : settings_(settings), mapper_(vocabulary, classifier, settings.mapper) {
+    if (map) mapper_.Resume(*std::move(map));
+    mapper_.BeginSession(settings.session);
+    mapper_.environment().Force(SurroundingsOf(settings.surroundings));
+    pose_ = node_.advertise<geometry_msgs::PoseStamped>("/slam/pose", 5);
+    grid_ = node_.advertise<nav_msgs::OccupancyGrid>("/slam/grid", 1, true);
+    markers_ = node_.advertise<visualization_msgs::MarkerArray>("/slam/graph", 1, true);
+    diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 5);
+    odometry_subscriber_ = node_.subscribe<nav_msgs::Odometry>(
+        "/odometry/filtered", 60,
+        [this](const nav_msgs::Odometry::ConstPtr& message) { OnOdometry(*message); });
+    clouds_subscriber_ = node_.subscribe<sensor_msgs::PointCloud2>(
+        "/velodyne_points", 2,
+        [this](const sensor_msgs::PointCloud2::ConstPtr& message) { cloud_ = message; });
+    using Service = std_srvs::Trigger;
+    save_ = node_.advertiseService("/slam/save",
+                                   boost::function<bool(Service::Request&, Service::Response&)>(
+                                       [this](Service::Request&, Service::Response& response) {
+                                         response.success = Save(response.message);
+                                         return true;
+                                       }));
+    grid_timer_ = node_.createTimer(ros::Duration(settings.grid_period),
+                                    [this](const ros::TimerEvent&) { PublishGrid(); });
+    draw_timer_ = node_.createWallTimer(ros::WallDuration(kDrawPeriod),
+                                        [this](const ros::WallTimerEvent&) { DrawSome(); });
+    state_timer_ = node_.createWallTimer(ros::WallDuration(kStatePeriod),
+                                         [this](const ros::WallTimerEvent&) { PublishState(); });
+    std::istringstream names(settings.cameras);
+    for (std::string name; names >> name;) {
+      cameras_.push_back(std::make_unique<perception::RgbdTopics>(node_, name, [] {}));
+      cameras_.back()->SetOn(true);
+    }
+  }
+
+  // Nothing that was driven for is lost because somebody forgot to save it.
+  void KeepWhatIsUnsaved() {
+    std::string message;
+    if (saved_ != key_frames() && settings_.map_folder != kNone) Save(message);
+  }
+
+ private:
+  std::size_t key_frames() const { return mapper_.graph().poses().size(); }
+
+  void OnOdometry(const nav_msgs::Odometry& message) {
+    if (!IsValid(message.pose.pose)) return;
+    const double stamp = message.header.stamp.toSec();
+    history_.Add(stamp, ToPose2D(message.pose.pose));
+    if (frame_ != history_.frame()) BeginAnew();
+    if (cloud_) UseCloud();
+    if (key_frames() == first_of_session_) return;
+    geometry_msgs::PoseStamped pose;
+    pose.header.stamp = message.header.stamp;
+    pose.header.frame_id = kFrame;
+    pose.pose = slam::ToPoseMessage(mapper_.PoseOf(ToPose3(ToPose2D(message.pose.pose))));
+    pose_.publish(pose);
+  }
+
+  // The odometry was restarted: how far the robot went meanwhile nobody knows.
+  void BeginAnew() {
+    if (frame_ >= 0 && key_frames() > first_of_session_) {
+      mapper_.BeginSession(settings_.session + ", again");
+      first_of_session_ = key_frames();
+    }
+    frame_ = history_.frame();
+  }
+
+  void UseCloud() {
+    const double stamp = cloud_->header.stamp.toSec();
+    const auto odometry = history_.At(stamp);
+    if (!odometry) {
+      if (!history_.empty() && stamp < history_.newest()) cloud_.reset();  // too old
+      return;
+    }
+    const auto cloud = std::move(cloud_);
+    cloud_.reset();
+    last_cloud_ = ros::WallTime::now();
+    Sight sight;
+    sight.stamp = stamp;
+    sight.odometry = ToPose3(*odometry);
+    if (!mapper_.IsDue(sight.odometry)) return;
+    const Outcome decoded = AddCloud(*cloud, sight);
+    problem_ = decoded.problem();
+    if (!decoded) return;
+    for (const auto& camera : cameras_) AddPicture(*camera, sight);
+    const ros::WallTime begin = ros::WallTime::now();
+    const MapperReport report = mapper_.Add(sight);
+    calculated_ += (ros::WallTime::now() - begin).toSec();
+    by_picture_ += report.of_picture == Verdict::kBelieved ? 1 : 0;
+    by_cloud_ += report.of_cloud == Verdict::kBelieved ? 1 : 0;
+  }
+
+  Outcome AddCloud(const sensor_msgs::PointCloud2& message, Sight& sight) {
+    const Outcome decoded = perception::Decode(message, points_);
+    if (!decoded) return decoded;
+    const auto mount = transforms_.Find("base_link", message.header.frame_id, ros::Time(0));
+    if (!mount) return Problem{mount.problem()};
+    const Eigen::Isometry3f place = ToPose3(mount->transform).cast<float>();
+    for (const perception::LidarPoint& point : points_) {
+      const Eigen::Vector3f there(point.x, point.y, point.z);
+      if (there.allFinite()) sight.cloud.push_back(place * there);
+    }
+    return {};
+  }
+
+  // What a camera saw at about that moment. A picture that does not fit is left out.
+  void AddPicture(perception::RgbdTopics& camera, Sight& sight) {
+    if (!camera.HasMoment(false)) return;
+    const auto moment = camera.Take();
+    if (!moment) return;
+    const double stamp = moment->header.stamp.toSec();
+    const auto odometry = history_.At(stamp);
+    const auto mount = transforms_.Find("base_link", moment->header.frame_id, ros::Time(0));
+    if (!odometry || !mount || std::abs(stamp - sight.stamp) > kSameMoment) return;
+    const Pose3 moved = sight.odometry.inverse() * ToPose3(*odometry);
+    const CameraMount lens{moment->lens, moved * ToPose3(mount->transform)};
+    sight.pictures.push_back({FindFeatures(moment->colour, moment->depth, lens), lens});
+    sight.brightness = BrightnessOf(moment->colour);
+  }
+
+  // Enters some key frames into the voxels. Those that have moved cannot be taken out: then all are
+  // entered anew, some at a time, so that the robot's pose does not wait for it.
+  void DrawSome() {
+    const std::vector<Pose3>& poses = mapper_.graph().poses();
+    if (poses.empty()) return;
+    const std::uint32_t map = mapper_.graph().map_of(mapper_.graph().sessions().back());
+    const auto has_moved = [](const Pose3& drawn, const Pose3& now) {
+      return (drawn.translation() - now.translation()).norm() > kDrawnWell;
+    };
+    if (map != drawn_map_ ||
+        !std::equal(drawn_.begin(), drawn_.end(), poses.begin(), std::not_fn(has_moved))) {
+      drawn_.clear();
+      drawn_map_ = map;
+      voxels_ = VoxelMap(settings_.mapper.resolution);
+    }
+    for (int i = 0; i < kDrawnAtOnce && drawn_.size() < poses.size(); ++i) {
+      const auto next = static_cast<std::uint32_t>(drawn_.size());
+      drawn_.push_back(poses[next]);
+      if (mapper_.graph().map_of(mapper_.graph().sessions()[next]) != map) continue;
+      const KeyFrame& key_frame = *mapper_.key_frames()[next];
+      voxels_.Add(key_frame.points, poses[next], settings_.mapper.lidar, key_frame.range);
+    }
+  }
+
+  void PublishGrid() {
+    if (key_frames() == first_of_session_ || drawn_.size() == shown_) return;
+    if (drawn_.size() < key_frames()) return;  // not yet whole
+    shown_ = drawn_.size();
+    const OccupancyGrid grid = voxels_.Project();
+    if (grid.frame.size() > 0) grid_.publish(mapping::ToMessage(grid, kFrame, ros::Time::now()));
+    if (markers_.getNumSubscribers() > 0) PublishGraph(mapper_.Map());
+  }
+
+  void PublishGraph(const SlamMap& map) {
+    visualization_msgs::MarkerArray message;
+    const SessionGraph& graph = mapper_.graph();
+    for (const LinkKind kind : {LinkKind::kStep, LinkKind::kPicture, LinkKind::kCloud}) {
+      visualization_msgs::Marker lines;
+      lines.header.stamp = ros::Time::now();
+      lines.header.frame_id = kFrame;
+      lines.ns = "links";
+      lines.id = static_cast<int>(kind);
+      lines.type = visualization_msgs::Marker::LINE_LIST;
+      lines.pose.orientation.w = 1;
+      lines.scale.x = 0.03;
+      lines.color.a = 1;
+      lines.color.b = kind == LinkKind::kStep ? 1 : 0;
+      lines.color.r = kind == LinkKind::kPicture ? 1 : 0;
+      lines.color.g = kind == LinkKind::kCloud ? 1 : 0;
+      for (const Link& link : map.graph.links) {
+        if (link.kind != kind ||
+            !graph.InOneMap(link.to, static_cast<std::uint32_t>(map.graph.poses.size() - 1))) {
+          continue;
+        }
+        lines.points.push_back(slam::ToPoseMessage(map.graph.poses[link.from]).position);
+        lines.points.push_back(slam::ToPoseMessage(map.graph.poses[link.to]).position);
+      }
+      message.markers.push_back(lines);
+    }
+    markers_.publish(message);
+  }
+
+  std::string Complaint() const {
+    if ((ros::WallTime::now() - last_cloud_).toSec() > kSilence) {
+      return "no clouds on " + clouds_subscriber_.getTopic();
+    }
+    return problem_;
+  }
+
+  void PublishState() {
+    using diagnostic_msgs::DiagnosticStatus;
+    DiagnosticStatus status;
+    status.name = "slam: map";
+    const std::string complaint = Complaint();
+    status.level = complaint.empty() ? DiagnosticStatus::OK : DiagnosticStatus::ERROR;
+    status.message = !complaint.empty()   ? complaint
+                     : mapper_.IsJoined() ? "maps"
+                                          : "maps a session of its own: no known place yet";
+    const auto add = [&status](const char* key, const std::string& value) {
+      status.values.emplace_back();
+      status.values.back().key = key;
+      status.values.back().value = value;
+    };
+    const Environment& environment = mapper_.environment();
+    add("surroundings", NameOf(environment.surroundings()));
+    add("forced", environment.is_forced() ? "yes" : "no");
+    add("dark", environment.is_dark() ? "yes" : "no");
+    add("sessions", std::to_string(mapper_.graph().session_count()));
+    add("key frames", std::to_string(key_frames()));
+    add("working memory", std::to_string(mapper_.memory().working()));
+    add("closures by picture", std::to_string(by_picture_));
+    add("closures by cloud", std::to_string(by_cloud_));
+    add("way since a closure [m]", std::to_string(mapper_.way_since_closure()));
+    const std::size_t seen = key_frames() - first_;
+    add("per key frame [ms]",
+        std::to_string(seen > 0 ? 1e3 * calculated_ / static_cast<double>(seen) : 0));
+    diagnostic_msgs::DiagnosticArray message;
+    message.header.stamp = ros::Time::now();
+    message.status.push_back(status);
+    diagnostics_.publish(message);
+  }
+
+  bool Save(std::string& message) {
+    if (settings_.map_folder == kNone) return message = "~map_folder is not set", false;
+    if (key_frames() == 0) return message = "there is no map yet", false;
+    const auto version = SaveSlamMap(settings_.map_folder, mapper_.Map());
+    if (!version) {
+      message = version.problem();
+      ROS_ERROR("%s", message.c_str());
+      return false;
+    }
+    saved_ = key_frames();
+    message = "saved as version " + std::to_string(*version) + " in " + settings_.map_folder;
+    ROS_INFO("%s", message.c_str());
+    return true;
+  }
+
+  const Settings settings_;
+  ros::NodeHandle node_;
+  Transforms transforms_;
+  SlamMapper mapper_;
+  const std::size_t first_ = key_frames();  // that this program adds
+  std::size_t first_of_session_ = first_;
+  std::size_t saved_ = first_;
+  std::size_t shown_ = 0;
+  VoxelMap voxels_{settings_.mapper.resolution};
+  std::uint32_t drawn_map_ = 0;
+  std::vector<Pose3> drawn_;  // into the voxels, of the first key frames
+  localization::PoseHistory history_{4};
+  int frame_ = -1;  // of the odometry
+  std::vector<std::unique_ptr<perception::RgbdTopics>> cameras_;
+  sensor_msgs::PointCloud2::ConstPtr cloud_;  // not yet used
+  std::vector<perception::LidarPoint> points_;
+  ros::WallTime last_cloud_ = ros::WallTime::now();
+  std::string problem_;  // of the last cloud
+  std::size_t by_picture_ = 0, by_cloud_ = 0;
+  double calculated_ = 0;  // s, for all key frames
+  ros::Publisher pose_, grid_, markers_, diagnostics_;
+  ros::Subscriber odometry_subscriber_, clouds_subscriber_;
+  ros::ServiceServer save_;
+  ros::Timer grid_timer_;
+  ros::WallTimer draw_timer_, state_timer_;
+};
+
+int Fail(const std::string& problem) {
+  ROS_ERROR("%s", problem.c_str());
+  return 2;
+}
+
+std::string FileOr(const std::string& file, const char* shipped) {
+  return file == kShipped ? shipped : file;
+}
+
+// The map of the folder; a folder without one is where the first one goes.
+Expected<std::optional<SlamMap>> MapIn(const std::string& folder) {
+  if (folder == kNone || !HasSlamMap(folder)) return std::optional<SlamMap>();
+  auto loaded = LoadSlamMap(folder);
+  if (!loaded) return Problem{loaded.problem()};
+  if (!loaded->remark.empty()) ROS_WARN("%s", loaded->remark.c_str());
+  return std::optional<SlamMap>(std::move(loaded->map));
+}
+
+int Run(Settings settings) {
+  if (settings.surroundings != "auto" && !SurroundingsOf(settings.surroundings)) {
+    return Fail("surroundings: expected auto, indoor, hall or outdoor, not \"" +
+                settings.surroundings + "\"");
+  }
+  settings.mapper.working = static_cast<std::size_t>(settings.working);
+  const auto vocabulary = Vocabulary::Load(FileOr(settings.vocabulary, COPPICE_VOCABULARY));
+  if (!vocabulary) return Fail(vocabulary.problem());
+  const auto classifier = PlaceClassifier::Load(FileOr(settings.classifier, COPPICE_PLACES));
+  if (!classifier) return Fail(classifier.problem());
+  auto map = MapIn(settings.map_folder);
+  if (!map) return Fail(map.problem());
+  SlamNode node(settings, *vocabulary, *classifier, *std::move(map));
+  ros::spin();
+  node.KeepWhatIsUnsaved();
+  return 0;
+}
+
+}  // namespace
+}  // namespace coppice::robot::slam
+
+int main(int argc, char** argv) {
+  using namespace coppice::robot::slam;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "slam", kHelp, Run);
+}

@@ -1,0 +1,144 @@
+// How well places are recognized and how good maps of many sessions become: `./dev bench slam`.
+//
+//   places in pictures        recognized of all stops, by how bright it is; none may be wrong
+//   places in clouds          the same in the dark, of all places and of those nearby
+//   maps of several sessions  closures, error of the ways, cells of the grid, time of an update
+//
+// With --pictures FOLDER it paints the curve and the map of the last seed.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/command_line.h"
+#include "bt_core/model/write_file.h"
+#include "robot_app/common/compressed_picture.h"
+#include "robot_app/slam/drawing/map_picture.h"
+#include "robot_app/slam/map/slam_map_file.h"
+#include "robot_app/training/place_figures.h"
+#include "robot_app/training/slam_figures.h"
+#include "tests/support/folders.h"
+
+namespace coppice::robot::training {
+namespace {
+
+const Command kBench{
+    "coppice_slam_bench",
+    "how well places are recognized, and how good maps become",
+    {"", 0, 0},
+    "All of it takes some ten minutes for each seed on one core.",
+    {CommandOption::Whole("--seeds", "N", 0, 1000, "maps of four sessions each; else 3"),
+     CommandOption::Flag("--maps-only", "do not measure places"),
+     CommandOption::Text("--pictures", "FOLDER", "paint the curve and the last map"),
+     CommandOption::Text("--save", "FOLDER", "keep the last map, for coppice-map")}};
+
+constexpr std::uint64_t kSeed = 1000001;  // nothing was learnt from it
+
+int Fail(const std::string& problem) {
+  std::fprintf(stderr, "coppice_slam_bench: %s\n", problem.c_str());
+  return 1;
+}
+
+void Say(double share) { std::fprintf(stderr, "\r%3.0f %% ", 100 * share); }
+
+std::string Data(const char* name) { return SourceFolder() + "/robot_app/slam/data/" + name; }
+
+struct Known {
+  simulation::Floor floor;
+  RobotSensors sensors;
+  slam::Vocabulary vocabulary;
+  slam::PlaceClassifier classifier;
+};
+
+Expected<Known> LoadKnown() {
+  Diagnostics diagnostics;
+  auto floor = simulation::LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml",
+                                     diagnostics);
+  if (!floor) return Problem{diagnostics.ToString()};
+  const auto robot = RobotDescription::Load(SourceFolder() + "/robot_app/description/sobi.urdf");
+  if (!robot) return Problem{robot.problem()};
+  auto sensors = SensorsOf(*robot);
+  if (!sensors) return Problem{sensors.problem()};
+  auto vocabulary = slam::Vocabulary::Load(Data("vocabulary.txt"));
+  if (!vocabulary) return Problem{vocabulary.problem()};
+  auto classifier = slam::PlaceClassifier::Load(Data("places_in_clouds.yaml"));
+  if (!classifier) return Problem{classifier.problem()};
+  return Known{*std::move(floor), *std::move(sensors), *std::move(vocabulary),
+               *std::move(classifier)};
+}
+
+int Paint(const Options& options, const char* name, const Picture& picture) {
+  const auto bytes = EncodeJpeg(picture, 90);
+  Diagnostics diagnostics;
+  const std::string file = (std::filesystem::path(options.Get("--pictures")) / name).string();
+  if (WriteFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, diagnostics))
+    return 0;
+  return Fail(diagnostics.ToString());
+}
+
+int MeasurePlaces(const Known& known, const Options& options) {
+  PlaceStudy study{
+      known.floor, known.sensors, RoundOfTheInstitute(), {1, 0.3, 0.1, 0.05, 0.02}, kSeed};
+  const auto pictures = MeasurePictures(known.vocabulary, study, Say);
+  std::printf("\nplaces in pictures\n%s", Table(pictures).c_str());
+  slam::Curve curve{"pictures", {}, {}}, clouds{"clouds, of what is near", {}, {}};
+  for (const PlaceFigures& one : pictures) {
+    curve.x.push_back(one.light);
+    curve.y.push_back(one.recall());
+  }
+  study.lights = {0.02};
+  for (const double doubt : {1e9, 6.0}) {
+    study.doubt = doubt;
+    const auto figures = MeasureClouds(known.classifier, study, Say);
+    std::printf("\nplaces in clouds, of those within %g m\n%s", doubt, Table(figures).c_str());
+    clouds.x = {curve.x.front(), curve.x.back()};
+    clouds.y = {figures[0].recall(), figures[0].recall()};
+  }
+  std::fflush(stdout);
+  if (!options.Has("--pictures")) return 0;
+  return Paint(options, "places_by_light.jpg",
+               slam::DrawCurves({curve, clouds}, "light", "places recognized, none wrong", true));
+}
+
+int MeasureMaps(const Known& known, const Options& options) {
+  std::vector<SlamFigures> all;
+  const auto seeds = static_cast<std::uint64_t>(options.Whole("--seeds", 3));
+  slam::SlamMap last;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const SlamStudy study{
+        known.floor,           known.sensors,       known.vocabulary, known.classifier,
+        RoundOfTheInstitute(), {1, 0.3, 0.1, 0.04}, kSeed + seed,     {}};
+    SlamResult result = MeasureSlam(study, Say);
+    all.push_back(result.figures);
+    std::printf("\nmap of seed %llu\n%s", static_cast<unsigned long long>(seed),
+                Table({result.figures}).c_str());
+    std::fflush(stdout);
+    last = std::move(result.map);
+  }
+  if (all.size() > 1) std::printf("\nall maps\n%s", Table(all).c_str());
+  if (all.empty()) return 0;
+  if (options.Has("--save")) {
+    const auto saved = slam::SaveSlamMap(options.Get("--save"), last);
+    if (!saved) return Fail(saved.problem());
+  }
+  if (!options.Has("--pictures")) return 0;
+  const slam::MapperSettings mapper;
+  const auto voxels = slam::VoxelsOf(last, 0, mapper.lidar, mapper.resolution);
+  return Paint(options, "slam_map.jpg", slam::DrawPlan(voxels.Project(), last, 0));
+}
+
+int Main(const std::vector<std::string>& arguments) {
+  const Options options = ParseOptions(kBench, arguments);
+  if (options.exit) return *options.exit;
+  const auto known = LoadKnown();
+  if (!known) return Fail(known.problem());
+  if (!options.Has("--maps-only")) {
+    if (const int status = MeasurePlaces(*known, options)) return status;
+  }
+  return MeasureMaps(*known, options);
+}
+
+}  // namespace
+}  // namespace coppice::robot::training
+
+int main(int argc, char** argv) { return coppice::robot::training::Main({argv + 1, argv + argc}); }

@@ -1,0 +1,107 @@
+#include "robot_app/slam/map/slam_map_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "tests/support/temporary_folder.h"
+
+namespace coppice::robot::slam {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// Two sessions of two key frames, joined by a closure.
+SlamMap SmallMap() {
+  SlamMap map;
+  map.names = {{"monday", 10}, {"tuesday", 100}};
+  map.sessions = {0, 0, 1, 1};
+  for (int i = 0; i < 4; ++i) {
+    Pose3 pose = Pose3::Identity();
+    pose.translation() << 0.5 * i, 1, 0;
+    pose.linear() = Eigen::AngleAxisd(0.3 * i, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    map.graph.poses.push_back(pose);
+    auto key_frame = std::make_shared<KeyFrame>();
+    key_frame->stamp = 10 * i;
+    key_frame->points = {{1, 2, 0.5F}, {-3.25F, 0, 1}};
+    key_frame->descriptor.contour[7] = 4.5F;
+    PictureFeatures picture;
+    picture.pixels = {{100.5F, 20}};
+    picture.descriptors = {{1, 2, 3, static_cast<std::uint64_t>(i)}};
+    picture.points = {Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN())};
+    key_frame->pictures = {std::make_shared<PictureFeatures>(picture)};
+    map.key_frames.push_back(key_frame);
+  }
+  map.graph.links = {{0, 1, Pose3::Identity(), InformationOf(0.1, 0.01), LinkKind::kStep},
+                     {0, 3, map.graph.poses[3], InformationOf(0.1, 0.01), LinkKind::kCloud}};
+  return map;
+}
+
+class SlamMapFileTest : public testing::Test {
+ protected:
+  std::string File(int version) const {
+    return folder_.Path("maps/map-00000" + std::to_string(version) + ".slam");
+  }
+  TemporaryFolder folder_;
+  const std::string maps_ = folder_.Path("maps");
+};
+
+TEST_F(SlamMapFileTest, WhatWasSavedIsReadAsItWas) {
+  ASSERT_TRUE(SaveSlamMap(maps_, SmallMap()));
+  const auto loaded = LoadSlamMap(maps_);
+  ASSERT_TRUE(loaded) << loaded.problem();
+  const SlamMap& map = loaded->map;
+  EXPECT_EQ(loaded->version, 1);
+  EXPECT_EQ(map.names[1].name, "tuesday");
+  EXPECT_EQ(map.sessions, SmallMap().sessions);
+  EXPECT_TRUE(map.graph.poses[3].isApprox(SmallMap().graph.poses[3]));
+  EXPECT_EQ(map.graph.links[1].kind, LinkKind::kCloud);
+  EXPECT_TRUE(map.graph.links[1].relative.isApprox(SmallMap().graph.poses[3]));
+  const KeyFrame& key_frame = *map.key_frames[2];
+  EXPECT_EQ(key_frame.stamp, 20);
+  EXPECT_TRUE(key_frame.points[1].isApprox(Eigen::Vector3f(-3.25F, 0, 1)));
+  EXPECT_EQ(key_frame.descriptor.contour[7], 4.5F);
+  EXPECT_EQ(key_frame.pictures[0]->descriptors[0][3], 2U);
+  EXPECT_TRUE(std::isnan(key_frame.pictures[0]->points[0].x()));
+}
+
+TEST_F(SlamMapFileTest, TheThreeNewestVersionsStay) {
+  for (int i = 1; i <= 5; ++i) ASSERT_EQ(*SaveSlamMap(maps_, SmallMap()), i);
+  EXPECT_FALSE(fs::exists(File(2)));
+  EXPECT_TRUE(fs::exists(File(3)));
+  EXPECT_EQ(LoadSlamMap(maps_)->version, 5);
+}
+
+TEST_F(SlamMapFileTest, ADamagedVersionIsSaidAndTheOneBeforeItIsRead) {
+  ASSERT_TRUE(SaveSlamMap(maps_, SmallMap()));
+  ASSERT_TRUE(SaveSlamMap(maps_, SmallMap()));
+  std::string bytes = ReadFile(File(2));
+  bytes[bytes.size() / 2] ^= 0x10;
+  WriteFile(File(2), bytes);
+  const auto loaded = LoadSlamMap(maps_);
+  ASSERT_TRUE(loaded) << loaded.problem();
+  EXPECT_EQ(loaded->version, 1);
+  EXPECT_THAT(loaded->remark, HasSubstr("map-000002.slam: the map is damaged"));
+}
+
+TEST_F(SlamMapFileTest, WhateverIsCutOffIsAProblem) {
+  ASSERT_TRUE(SaveSlamMap(maps_, SmallMap()));
+  const std::string bytes = ReadFile(File(1));
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    WriteFile(folder_.Path("cut"), bytes.substr(0, size));
+    EXPECT_FALSE(ReadSlamMap(folder_.Path("cut"))) << size;
+  }
+}
+
+TEST_F(SlamMapFileTest, AFolderWithoutMapsSaysWhatWasExpected) {
+  const auto loaded = LoadSlamMap(folder_.Path("nowhere"));
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.problem(), HasSubstr("expected a folder with maps"));
+}
+
+}  // namespace
+}  // namespace coppice::robot::slam

@@ -1,0 +1,128 @@
+// The program coppice-slam with the simulator and its cameras over ROS, and coppice-map on its map.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <std_srvs/Trigger.h>
+
+#include <filesystem>
+
+#include "robot_app/common/child_process.h"
+#include "robot_app/common/ros_support.h"
+#include "robot_app/slam/map/slam_map_file.h"
+#include "tests/robot_app/eventually.h"
+#include "tests/robot_app/latest.h"
+#include "tests/robot_app/processes/temporary.h"
+#include "tests/robot_app/ros_environment.h"
+#include "tests/robot_app/text_of.h"
+#include "tests/support/folders.h"
+
+namespace coppice::robot::slam {
+namespace {
+
+using processes::Temporary;
+using testing::HasSubstr;
+
+constexpr double kPatience = 60;  // wall time, for whatever is waited for [s]
+const std::string kPrograms = BinaryFolder() + "/bin/";
+
+class SlamNodeTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(kMaps);
+    command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
+  }
+
+  void StartSimulator() {
+    simulator_ = ChildProcess(
+        {kPrograms + "coppice-simulator", "_start:=2 0 0", "/odom:=/odometry/filtered"},
+        Temporary("simulator.log"));
+    cameras_ = ChildProcess({kPrograms + "coppice-simulated-cameras"}, Temporary("cameras.log"));
+  }
+  void StartSlam(const std::string& session) {
+    slam_ = ChildProcess({kPrograms + "coppice-slam", "_map_folder:=" + kMaps,
+                          "_session:=" + session, "_grid_period:=1"},
+                         Temporary("slam.log"));
+  }
+  bool DriveUntil(const std::function<bool()>& done) {
+    return Eventually(
+        [&] {
+          geometry_msgs::Twist twist;
+          twist.linear.x = 0.4;
+          command_.publish(twist);
+          return done();
+        },
+        kPatience);
+  }
+  static int RunToTheEnd(const std::vector<std::string>& command, const std::string& log) {
+    ChildProcess process(command, log);
+    EXPECT_TRUE(Eventually([&] { return !process.IsRunning(); }, kPatience));
+    return process.exit_status();
+  }
+
+  const std::string kMaps = Temporary("maps");
+  ros::NodeHandle node_;
+  ros::Publisher command_;
+  ChildProcess simulator_, cameras_, slam_;
+};
+
+TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
+  StartSimulator();
+  StartSlam("monday");
+  const Latest<geometry_msgs::PoseStamped> pose(node_, "/slam/pose");
+  const Latest<geometry_msgs::PoseStamped> truth(node_, "/simulation/truth");
+  const Latest<nav_msgs::OccupancyGrid> grid(node_, "/slam/grid");
+  // The frame of a new map begins where the robot stood, at (2, 0).
+  ASSERT_TRUE(DriveUntil([&] {
+    return truth.get() && truth.get()->pose.position.x > 4 && pose.get() &&
+           std::abs(pose.get()->pose.position.x + 2 - truth.get()->pose.position.x) < 0.2;
+  }));
+  EXPECT_EQ(pose.get()->header.frame_id, "slam_map");
+  ASSERT_TRUE(Eventually(
+      [&] {
+        const auto map = grid.get() ? ToGrid(*grid.get()) : Expected<OccupancyGrid>(Problem{""});
+        if (!map) return false;
+        const Cell wall = map->frame.CellAt(1, 1.27);
+        return map->frame.Contains(wall) &&
+               map->cells[static_cast<std::size_t>(map->frame.Index(wall))] == 100;
+      },
+      kPatience));
+  std_srvs::Trigger save;
+  ASSERT_TRUE(ros::service::call("/slam/save", save));
+  EXPECT_TRUE(save.response.success) << save.response.message;
+  const auto first = LoadSlamMap(kMaps);
+  ASSERT_TRUE(first) << first.problem();
+  EXPECT_GE(first->map.key_frames.size(), 3U);
+  EXPECT_FALSE(first->map.key_frames.back()->pictures.empty());
+
+  EXPECT_EQ(slam_.Stop(std::chrono::seconds(20)), 0);
+  StartSlam("tuesday");
+  ASSERT_TRUE(Eventually(
+      [&] { return ros::service::call("/slam/save", save) && save.response.success; }, kPatience));
+  ASSERT_TRUE(DriveUntil([&] { return truth.get()->pose.position.x > 5; }));
+  EXPECT_EQ(slam_.Stop(std::chrono::seconds(20)), 0);  // it saves at the end
+  const auto second = LoadSlamMap(kMaps);
+  ASSERT_TRUE(second) << second.problem();
+  EXPECT_EQ(second->map.names.size(), 2U);
+  EXPECT_EQ(second->map.names[1].name, "tuesday");
+
+  const std::string log = Temporary("map.log"), plan = Temporary("plan.jpg");
+  EXPECT_EQ(RunToTheEnd({kPrograms + "coppice-map", kMaps, "--plan", plan}, log), 0);
+  EXPECT_THAT(TextOf(log), HasSubstr("tuesday"));
+  EXPECT_GT(std::filesystem::file_size(plan), 2000U);
+}
+
+TEST_F(SlamNodeTest, RefusesWhatMakesNoSense) {
+  const std::string log = Temporary("refused.log"), slam = kPrograms + "coppice-slam";
+  EXPECT_EQ(RunToTheEnd({slam, "__name:=a", "_surroundings:=cellar"}, log), 2);
+  EXPECT_THAT(TextOf(log), HasSubstr("expected auto, indoor, hall or outdoor"));
+  EXPECT_EQ(RunToTheEnd({slam, "__name:=b", "_vocabulary:=/nowhere"}, log), 2);
+  EXPECT_THAT(TextOf(log), HasSubstr("/nowhere: cannot be read"));
+  EXPECT_EQ(RunToTheEnd({kPrograms + "coppice-map", "/nowhere"}, log), 1);
+  EXPECT_THAT(TextOf(log), HasSubstr("/nowhere"));
+}
+
+}  // namespace
+}  // namespace coppice::robot::slam
