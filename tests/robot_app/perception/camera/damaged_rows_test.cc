@@ -15,10 +15,7 @@ class DamagedRows : public testing::Test {
  protected:
   DamagedRows() {
     const simulation::Floor floor = *simulation::FindFloor(simulation::kInstitute);
-    std::vector<bool> doors;
-    for (const auto& door : floor.doors) doors.push_back(door.open);
-    scene_ = simulation::Scene(
-        simulation::MakeStillScene(floor, doors, std::vector<bool>(floor.places.size(), false)));
+    scene_ = simulation::Scene(simulation::MakeStillScene(floor));
   }
 
   Picture Taken(int place, double damaged) {
