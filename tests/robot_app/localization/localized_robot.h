@@ -90,7 +90,7 @@ class LocalizedRobot {
   }
 
   simulation::World world_;
-  navigation::Look look_ = navigation::ScanOf;
+  navigation::Look look_ = navigation::SeesAll;
   double scan_time_ = -1;
   double wheels_time_ = -1;
   OdometryFilter filter_;

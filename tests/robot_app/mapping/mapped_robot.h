@@ -98,7 +98,7 @@ class MappedRobot {
   }
 
   simulation::World world_;
-  navigation::Look look_ = navigation::ScanOf;
+  navigation::Look look_ = navigation::SeesAll;
   BadOdometry bad_;
   localization::OdometryFilter filter_;
   Mapper mapper_;

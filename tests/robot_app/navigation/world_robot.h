@@ -51,6 +51,7 @@ inline LaserScan ScanOf(const simulation::World& world) {
 
 /// How a test looks at the world.
 using Look = std::function<LaserScan(const simulation::World&)>;
+inline LaserScan SeesAll(const simulation::World& world) { return ScanOf(world); }
 
 /// The same without the beams that end within 0.4 m of somebody's middle: no reading (REP-117).
 /// What a robot would see that knew where everybody is.
