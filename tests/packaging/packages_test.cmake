@@ -42,7 +42,7 @@ run(${bin}/coppice run ${WORK}/tree.xml --quiet)
 if(PYTHON)
   expect("Status.SUCCESS" ${CMAKE_COMMAND} -E env
          PYTHONPATH=${WORK}/root/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c
-         "import coppice; print(coppice.load('${WORK}/tree.xml').run())")
+         "from coppice import load\nprint(load('${WORK}/tree.xml').run())")
 endif()
 if(EDITOR)
   run(${bin}/coppice edit ${share}/examples/delivery.xml --headless --picture ${WORK}/delivery.png)
