@@ -18,7 +18,7 @@ foreach(header pluginlib/class_loader.hpp class_loader/class_loader.hpp rcpputil
   target_include_directories(ros1_bag SYSTEM INTERFACE ${COPPICE_${package}_FOLDER})
 endforeach()
 
-set(COPPICE_PYTHON /usr/bin/python3)
+set(COPPICE_SYSTEM_PYTHON /usr/bin/python3)
 set(COPPICE_GENCPP /usr/lib/gencpp/gen_cpp.py)
 set(COPPICE_GENACTION /usr/lib/actionlib_msgs/genaction.py)
 
@@ -44,7 +44,7 @@ function(coppice_ros_messages package)
         list(APPEND parts ${action_dir}/${name}${part}.msg)
       endforeach()
       add_custom_command(OUTPUT ${parts}
-        COMMAND ${COPPICE_PYTHON} ${COPPICE_GENACTION} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+        COMMAND ${COPPICE_SYSTEM_PYTHON} ${COPPICE_GENACTION} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
                 -o ${action_dir}
         DEPENDS ${file} VERBATIM)
       list(APPEND interfaces ${parts})
@@ -58,7 +58,7 @@ function(coppice_ros_messages package)
   foreach(file ${interfaces})
     get_filename_component(name ${file} NAME_WE)
     add_custom_command(OUTPUT ${headers_dir}/${name}.h
-      COMMAND ${COPPICE_PYTHON} ${COPPICE_GENCPP} ${file} ${search} -p ${package}
+      COMMAND ${COPPICE_SYSTEM_PYTHON} ${COPPICE_GENCPP} ${file} ${search} -p ${package}
               -o ${headers_dir} -e /usr/share/gencpp
       DEPENDS ${interfaces} VERBATIM)
     list(APPEND headers ${headers_dir}/${name}.h)
