@@ -1,4 +1,5 @@
-// Leaves that move the robot: NavigateTo, LimitSpeed, BackUp, Rotate, and those that choose where to go.
+// Leaves that move the robot: NavigateTo, LimitSpeed, BackUp, Rotate, and those that choose where
+// to go.
 #ifndef COPPICE_BT_NODES_NAVIGATION_NAVIGATION_LEAVES_H_
 #define COPPICE_BT_NODES_NAVIGATION_NAVIGATION_LEAVES_H_
 

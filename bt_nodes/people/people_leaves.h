@@ -1,7 +1,7 @@
-// Leaves that look at people: SeesPeople, PersonInFront, NearestPerson, CountPeople, FollowerBehind,
-// FollowerNear, MaskMissing, FacePerson. All read the key that perception feeds (`people`), never wait for it,
-// and fail when it is older than a second: without perception nobody is there, and the tree goes
-// on.
+// Leaves that look at people: SeesPeople, PersonInFront, NearestPerson, CountPeople,
+// FollowerBehind, FollowerNear, MaskMissing, FacePerson. All read the key that perception feeds
+// (`people`), never wait for it, and fail when it is older than a second: without perception nobody
+// is there, and the tree goes on.
 #ifndef COPPICE_BT_NODES_PEOPLE_PEOPLE_LEAVES_H_
 #define COPPICE_BT_NODES_PEOPLE_PEOPLE_LEAVES_H_
 

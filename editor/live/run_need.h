@@ -15,8 +15,9 @@ struct RunNeed {
 };
 
 /// As the robot stands now, whichever tick is shown. It has to come who is asked (a leaf that asks
-/// people runs, or has failed in the newest tick, AsksPeople()) and if the robot does not answer any
-/// more; it should look who stopped it, and if its tree has ended with FAILURE or was never reached.
+/// people runs, or has failed in the newest tick, AsksPeople()) and if the robot does not answer
+/// any more; it should look who stopped it, and if its tree has ended with FAILURE or was never
+/// reached.
 RunNeed NeedOf(const RunView& run);
 
 /// Where a robot stands: "PAUSED before "patrol/Drive""; empty if it runs.

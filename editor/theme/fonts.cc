@@ -166,7 +166,8 @@ bool Fonts::AddEastAsian() {
   return true;
 }
 
-// The other faces show the same pixels: there is no bold one, and each would need a texture as large.
+// The other faces show the same pixels: there is no bold one, and each would need a texture as
+// large.
 void Fonts::ShareEastAsian() {
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     for (ImFont* const font : {bold_[i], mono_[i]}) {

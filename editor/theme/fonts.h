@@ -1,10 +1,10 @@
 // The fonts of the editor, baked at a ladder of sizes so that text is crisp at every zoom.
 //
-// DejaVu Sans, Sans Bold and Sans Mono, with the icons of Font Awesome merged into the first two, and
-// the characters of East Asia from the font that this computer has for them. Baking takes a tenth of
-// a second, so editors of one process may share them, and nothing is baked but the characters of
-// nearly every text and those that are asked for. The fonts note what was written with them and is
-// not baked: then make others. What no font has is a narrow empty box.
+// DejaVu Sans, Sans Bold and Sans Mono, with the icons of Font Awesome merged into the first two,
+// and the characters of East Asia from the font that this computer has for them. Baking takes a
+// tenth of a second, so editors of one process may share them, and nothing is baked but the
+// characters of nearly every text and those that are asked for. The fonts note what was written
+// with them and is not baked: then make others. What no font has is a narrow empty box.
 //
 //   const auto fonts = std::make_shared<const Fonts>(1, UnusualCharacters(text));
 //   ImGuiContext* const context = fonts->MakeContext();

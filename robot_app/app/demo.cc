@@ -119,8 +119,8 @@ class Demo {
                [](const RobotView& view) { return view.errors.empty(); });
   }
 
-  // What he says comes by a file instead of the microphone. Nobody in the simulation follows a robot
-  // that looks back, so there is no visitor where it can.
+  // What he says comes by a file instead of the microphone. Nobody in the simulation follows a
+  // robot that looks back, so there is no visitor where it can.
   void LeadAVisitor() {
     console_.Step(std::string("a visitor says: \"") + kWish + "\"");
     const auto wish = speech::Synthesizer().Speak(kWish, {kVisitor, 140});

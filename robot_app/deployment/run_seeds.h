@@ -1,5 +1,5 @@
-// Runs deployments of many seeds and keeps each as a file. A seed that has its file is done, so a run
-// that was broken off goes on where it was, and many computers may share the seeds.
+// Runs deployments of many seeds and keeps each as a file. A seed that has its file is done, so a
+// run that was broken off goes on where it was, and many computers may share the seeds.
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_RUN_SEEDS_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_RUN_SEEDS_H_
 

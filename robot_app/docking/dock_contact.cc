@@ -77,7 +77,8 @@ Velocity2D DockController::NextAttempt(const DockInput& input) {
   return velocity_;
 }
 
-// How far it backs off: out of the station's way, but for another attempt only as far as that needs.
+// How far it backs off: out of the station's way, but for another attempt only as far as that
+// needs.
 double DockController::WayOut() const {
   const bool tries_again = phase_ == Phase::kBackOut && (!has_failed_ || attempt_ < attempts_);
   return tries_again ? settings_.retry_distance : settings_.staging_distance;

@@ -8,8 +8,8 @@
 // standing in the station is not. Without it the robot presses on and draws back a little
 // (contact_wiggle.h), then backs out and tries again, a little to one side and then to the other.
 // What stands in the way is waited for; who stands between the robot and the station, and perhaps
-// cannot get past it, is let out. Where no way is free from where the robot stands, it drives to the
-// staging pose first. Without the landmark it does not drive into anything.
+// cannot get past it, is let out. Where no way is free from where the robot stands, it drives to
+// the staging pose first. Without the landmark it does not drive into anything.
 // Undocking: straight back, then see that the current has stopped.
 //
 // A deterministic state machine without a clock, a thread or ROS. All poses in the odometry frame.

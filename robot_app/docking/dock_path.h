@@ -33,8 +33,8 @@ std::optional<DockPath> PlanDockPath(const Pose2D& robot, double aside,
                                      const std::vector<Point2D>& obstacles,
                                      const DockSettings& settings);
 
-/// What is kept from obstacles, beyond the robot's radius: by a way that is planned, and by one that
-/// is driven, so that noise does not stop the robot beside a wall [m].
+/// What is kept from obstacles, beyond the robot's radius: by a way that is planned, and by one
+/// that is driven, so that noise does not stop the robot beside a wall [m].
 inline constexpr double kPlannedMargin = 0.04;
 inline constexpr double kDrivenMargin = 0.015;
 

@@ -1,10 +1,10 @@
 // Recognizes the landmark of the charging station in a scan of the planar laser.
 //
 // Line segments (line_segments.h) that meet in a corner of about the right opening are candidates.
-// Each is fitted to the ranges by Gauss-Newton, and must then pass: the beams that should meet it do
-// (or something nearer hides it, but not much of it), none looks through it, what they measure
-// deviates from it by no more than noise, and beyond its ends the room is farther away. So no corner
-// of a wall, piece of furniture or pair of legs is taken for it.
+// Each is fitted to the ranges by Gauss-Newton, and must then pass: the beams that should meet it
+// do (or something nearer hides it, but not much of it), none looks through it, what they measure
+// deviates from it by no more than noise, and beyond its ends the room is farther away. So no
+// corner of a wall, piece of furniture or pair of legs is taken for it.
 //
 // Pure functions without a clock, a thread or ROS.
 #ifndef COPPICE_ROBOT_APP_DOCKING_LANDMARK_H_

@@ -1,5 +1,6 @@
 // coppice-topic-monitor --config FILE [--folder FOLDER]: node /topic_monitor. Counts the messages
-// of any type without reading them (scans and ranges it reads), or takes what their subscribers say on
+// of any type without reading them (scans and ranges it reads), or takes what their subscribers say
+// on
 // /statistics; sees who sends them; looks whether loggers log (their paths begin in FOLDER), and
 // reads what other programs say on /diagnostics. Reports every report_period of wall time.
 #include <diagnostic_msgs/DiagnosticArray.h>

@@ -190,8 +190,8 @@ class CamerasNode {
                       [](Vec2 p, Vec2 q) { return p.x == q.x && p.y == q.y; });
   }
 
-  // Builds the scene anew if a door, a box or the station has moved. False if the world is that of another
-  // floor.
+  // Builds the scene anew if a door, a box or the station has moved. False if the world is that of
+  // another floor.
   bool Follow(const coppice_msgs::SimulatedWorld& world) {
     const Floor& floor = settings_.floor;
     if (world.people.size() != floor.people.size() ||

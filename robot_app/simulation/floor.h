@@ -86,8 +86,8 @@ std::optional<Floor> ParseFloor(const std::string& yaml, const std::string& file
 /// Where the leaf of a door stands. A sliding door that is open has none.
 std::optional<Segment> DoorLeaf(const Door& door, bool open);
 
-/// Where the landmark stands when the contacts are at `docked`: its corner, and the ends of its left
-/// and right leg as seen by a docked robot.
+/// Where the landmark stands when the contacts are at `docked`: its corner, and the ends of its
+/// left and right leg as seen by a docked robot.
 using Triangle = std::array<Vec2, 3>;
 Triangle LandmarkAt(const LandmarkShape& shape, const Pose2& docked);
 

@@ -28,8 +28,9 @@ struct GridMap {
   }
 };
 
-/// Walls, furniture, the station's landmark and door leaves as they stand at the start are occupied; what can be walked to
-/// from the charging station (through any door) is free; the rest is unknown.
+/// Walls, furniture, the station's landmark and door leaves as they stand at the start are
+/// occupied; what can be walked to from the charging station (through any door) is free; the rest
+/// is unknown.
 GridMap MakeGridMap(const Floor& floor, double resolution = 0.05);
 
 }  // namespace coppice::robot::simulation

@@ -79,7 +79,8 @@ class World {
   const std::vector<bool>& place_blocked() const {
     return place_blocked_;
   }  ///< in the floor's order
-  /// What stands still now: walls, furniture, the boxes of blocked places, door leaves, the landmark.
+  /// What stands still now: walls, furniture, the boxes of blocked places, door leaves, the
+  /// landmark.
   const StillScene& still() const { return scene_.still(); }
 
   // --- the sensors; each reading carries its time ---

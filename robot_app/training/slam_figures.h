@@ -1,5 +1,5 @@
-// How good a map of several sessions becomes: rounds through a simulated floor, each begun anywhere,
-// with other people, other doors and other light, given to the mapper as the robot would.
+// How good a map of several sessions becomes: rounds through a simulated floor, each begun
+// anywhere, with other people, other doors and other light, given to the mapper as the robot would.
 #ifndef COPPICE_ROBOT_APP_TRAINING_SLAM_FIGURES_H_
 #define COPPICE_ROBOT_APP_TRAINING_SLAM_FIGURES_H_
 

@@ -1,5 +1,5 @@
-// What trees say to visitors, from a file of the site (robot_app/config/phrases.yaml): in English and
-// German, by the time of day.
+// What trees say to visitors, from a file of the site (robot_app/config/phrases.yaml): in English
+// and German, by the time of day.
 #ifndef COPPICE_ROBOT_APP_COMMON_CONFIGURATION_SITE_PHRASES_H_
 #define COPPICE_ROBOT_APP_COMMON_CONFIGURATION_SITE_PHRASES_H_
 

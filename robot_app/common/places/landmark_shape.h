@@ -10,8 +10,8 @@
 //                                   corner   .   |     +--> x
 //                                               .|
 //
-// Its corner points to the robot, its two legs are what the laser sees. 150 degrees are an angle that
-// no room has: walls and furniture meet at right angles, and people are rounder.
+// Its corner points to the robot, its two legs are what the laser sees. 150 degrees are an angle
+// that no room has: walls and furniture meet at right angles, and people are rounder.
 #ifndef COPPICE_ROBOT_APP_COMMON_PLACES_LANDMARK_SHAPE_H_
 #define COPPICE_ROBOT_APP_COMMON_PLACES_LANDMARK_SHAPE_H_
 

@@ -1,5 +1,5 @@
-// A Journal as a file: JSON with a version, written at once or not at all, so that a seed that has its
-// file is done.
+// A Journal as a file: JSON with a version, written at once or not at all, so that a seed that has
+// its file is done.
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_FIGURES_JOURNAL_FILE_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_FIGURES_JOURNAL_FILE_H_
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "bt_core/engine/compile/models.h"
+
 namespace coppice::robot::deployment {
 namespace {
 
@@ -19,7 +21,7 @@ std::string Rectangle(double x, double y, double width, double height, const cha
 }
 
 std::string Text(double x, double y, const std::string& text) {
-  return "<text x='" + N(x) + "' y='" + N(y) + "'>" + Escaped(text) + "</text>";
+  return "<text x='" + N(x) + "' y='" + N(y) + "'>" + EscapeXml(text) + "</text>";
 }
 
 std::string Circle(double x, double y, double radius, const char* colour, double opacity = 1) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "bt_core/engine/compile/models.h"
 #include "robot_app/deployment/figures/journal_file.h"
 #include "robot_app/deployment/report/pictures.h"
 
@@ -47,16 +48,16 @@ Table NumbersTable(const Scenario& scenario) {
 }
 
 std::string SeedOf(const Journal& journal) {
-  std::string text = "<h3>" + Escaped(journal.controller) + ", seed " +
+  std::string text = "<h3>" + EscapeXml(journal.controller) + ", seed " +
                      std::to_string(journal.seed) + ": " + std::to_string(journal.stops.size()) +
                      " unplanned stops, " + std::to_string(journal.requests.size()) +
                      " requests</h3>\n" + Timeline(journal);
   for (const UnplannedStop& stop : journal.stops) {
     text +=
-        "<div>" + MomentText(stop.at) + " " + Escaped(stop.cause + ": " + stop.what) + "</div>\n";
+        "<div>" + MomentText(stop.at) + " " + EscapeXml(stop.cause + ": " + stop.what) + "</div>\n";
   }
   for (const std::string& record : journal.records) {
-    const std::string link = Escaped(journal.controller + "/" + record);
+    const std::string link = EscapeXml(journal.controller + "/" + record);
     text += "<div><a href='" + link + "'>" + link + "</a></div>\n";
   }
   return text;
@@ -100,7 +101,7 @@ std::string HtmlReport(const std::vector<Group>& groups, const Scenario& scenari
   text += "<h2>Time between unplanned stops (Kaplan–Meier)</h2>\n" + SurvivalPicture(groups);
   text += "<h2>Where it recovered</h2><p>red: navigation and programs, blue: localization</p>\n";
   for (const Group& group : Compared(groups)) {
-    text += "<h3>" + Escaped(group.name) + "</h3>\n" + MapOfRecoveries(group);
+    text += "<h3>" + EscapeXml(group.name) + "</h3>\n" + MapOfRecoveries(group);
   }
   text += "<h2>Day by day</h2>\n" + Legend();
   for (const Group& group : Compared(groups)) {

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "bt_core/engine/compile/models.h"
+
 namespace coppice::robot::deployment {
 namespace {
 
@@ -14,35 +16,12 @@ std::string MarkdownRow(const std::vector<std::string>& cells) {
 std::string HtmlRow(const std::vector<std::string>& cells, const char* tag) {
   std::string row = "<tr>";
   for (const std::string& cell : cells) {
-    row += std::string("<") + tag + ">" + Escaped(cell) + "</" + tag + ">";
+    row += std::string("<") + tag + ">" + EscapeXml(cell) + "</" + tag + ">";
   }
   return row + "</tr>\n";
 }
 
 }  // namespace
-
-std::string Escaped(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 std::string Printed(const char* format, double number) {
   char text[64];
@@ -58,9 +37,10 @@ std::string ToMarkdown(const Table& table) {
 }
 
 std::string ToHtml(const Table& table) {
-  std::string text = "<h2>" + Escaped(table.title) + "</h2>\n<table>\n" + HtmlRow(table.head, "th");
+  std::string text =
+      "<h2>" + EscapeXml(table.title) + "</h2>\n<table>\n" + HtmlRow(table.head, "th");
   for (const auto& row : table.rows) text += HtmlRow(row, "td");
-  return text + "</table>\n" + (table.note.empty() ? "" : "<p>" + Escaped(table.note) + "</p>\n");
+  return text + "</table>\n" + (table.note.empty() ? "" : "<p>" + EscapeXml(table.note) + "</p>\n");
 }
 
 }  // namespace coppice::robot::deployment

@@ -17,8 +17,6 @@ struct Table {
 std::string ToMarkdown(const Table& table);
 std::string ToHtml(const Table& table);
 
-/// Text inside of HTML.
-std::string Escaped(const std::string& text);
 /// "%.1f" and the like.
 std::string Printed(const char* format, double number);
 

@@ -1,6 +1,6 @@
 // Driving to poses and small motions at the level of events: the way is that of the real planner on
-// the real floor, how long it takes and what holds the robot on it is modelled. Its patience is that
-// of the real navigation (NavigationSettings).
+// the real floor, how long it takes and what holds the robot on it is modelled. Its patience is
+// that of the real navigation (NavigationSettings).
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_DRIVE_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_DRIVE_H_
 

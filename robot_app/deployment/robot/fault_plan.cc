@@ -16,8 +16,8 @@ constexpr double kNotRolling = 2;  // s; looked at again
 constexpr double kFreedBy = 0.2;   // m, backwards
 constexpr double kSlowRate = 0.3;  // of a slow publisher
 
-// What does not fail: the processes that stand for the hardware, and who watches and repairs. Of the
-// latter no failure was seen in the published deployment, so there is no rate for it.
+// What does not fail: the processes that stand for the hardware, and who watches and repairs. Of
+// the latter no failure was seen in the published deployment, so there is no rate for it.
 constexpr const char* kSpared[] = {"/simulator",         "/simulated_cameras",  "/coppice_robot",
                                    "/health_aggregator", "/node_monitor",       "/topic_monitor",
                                    "/power_monitor",     "/navigation_monitor", "/system_monitor",

@@ -1,6 +1,6 @@
-// Keeps the journal of a deployment, and stands for whoever comes without having been asked: when the
-// robot is off, stands for long without a word, or is about to lose its battery, somebody notices
-// and puts it right. That is an unplanned stop, whatever drives the robot.
+// Keeps the journal of a deployment, and stands for whoever comes without having been asked: when
+// the robot is off, stands for long without a word, or is about to lose its battery, somebody
+// notices and puts it right. That is an unplanned stop, whatever drives the robot.
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_KEEPER_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_KEEPER_H_
 

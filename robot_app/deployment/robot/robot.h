@@ -1,6 +1,7 @@
-// The robot in one process under simulated time, for one seed: the shipped trees and leaves, process
-// supervisor, monitors, aggregator and help desk as they are, on a body, programs and people at the
-// level of events. Deterministic: the same scenario, seed and controller give the same journal.
+// The robot in one process under simulated time, for one seed: the shipped trees and leaves,
+// process supervisor, monitors, aggregator and help desk as they are, on a body, programs and
+// people at the level of events. Deterministic: the same scenario, seed and controller give the
+// same journal.
 //
 // It jumps from one event to the next: what happens in the world, a timer of a tree, a look of the
 // monitors. Those look every report_period as long as something goes on, and once a minute while

@@ -1,5 +1,5 @@
-// The charging station at the level of events: attempts that fail, contacts without current, and what
-// the docking server tells of itself.
+// The charging station at the level of events: attempts that fail, contacts without current, and
+// what the docking server tells of itself.
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_STATION_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_STATION_H_
 

@@ -1,5 +1,5 @@
-// What the robot shows and says to people: speech takes its time, the rest is not modelled. And what
-// is done against faults, into the journal.
+// What the robot shows and says to people: speech takes its time, the rest is not modelled. And
+// what is done against faults, into the journal.
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_SURFACE_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_SURFACE_H_
 

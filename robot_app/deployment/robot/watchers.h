@@ -1,6 +1,6 @@
-// The robot's monitors and the aggregator of their reports, all in one process: the real judges, fed
-// with what the topics of the simulated robot would have carried. A monitor whose program does not
-// work says nothing.
+// The robot's monitors and the aggregator of their reports, all in one process: the real judges,
+// fed with what the topics of the simulated robot would have carried. A monitor whose program does
+// not work says nothing.
 //
 // They look when there is something to see: of the messages since the last look only those within
 // the longest window are fed, for no other is remembered.

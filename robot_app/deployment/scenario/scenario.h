@@ -1,5 +1,5 @@
-// The world of a deployment as numbers: the file scenario.yaml. Every number stands there with where
-// it is from; there is no other place for one.
+// The world of a deployment as numbers: the file scenario.yaml. Every rate and every share stands
+// there with where it is from. How long the robot's own actions take is said beside them.
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_SCENARIO_SCENARIO_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_SCENARIO_SCENARIO_H_
 

@@ -1,5 +1,5 @@
-// What is true in the world of a deployment, apart from what the robot believes: one flat state, the
-// clock, and what will happen. Everything else acts on it.
+// What is true in the world of a deployment, apart from what the robot believes: one flat state,
+// the clock, and what will happen. Everything else acts on it.
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_WORLD_WORLD_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_WORLD_WORLD_H_
 

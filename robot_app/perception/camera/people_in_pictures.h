@@ -36,8 +36,8 @@ class PeopleInPictures {
   std::vector<LidarPoint> points_;
 };
 
-/// Whether a moment shows so little that something must hang before the lens: one shade, and nothing
-/// at a distance. Without depth (no pixels) the shade decides.
+/// Whether a moment shows so little that something must hang before the lens: one shade, and
+/// nothing at a distance. Without depth (no pixels) the shade decides.
 bool IsCovered(const Picture& picture, const DepthPicture& depth);
 
 }  // namespace coppice::robot::perception

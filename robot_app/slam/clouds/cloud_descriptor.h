@@ -40,8 +40,8 @@ CloudDescriptor Describe(const CloudPoints& points);
 /// What differs between two clouds; the same if they are swapped.
 PairFeatures Compare(const CloudDescriptor& a, const CloudDescriptor& b);
 
-/// How `b` may be turned against `a`: the yaw of b's base_link as seen from a's [rad], the likeliest
-/// first, at most `most`, none within 15 degrees of another.
+/// How `b` may be turned against `a`: the yaw of b's base_link as seen from a's [rad], the
+/// likeliest first, at most `most`, none within 15 degrees of another.
 std::vector<double> LikelyTurns(const CloudDescriptor& a, const CloudDescriptor& b,
                                 std::size_t most);
 

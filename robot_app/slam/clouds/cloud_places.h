@@ -1,9 +1,10 @@
 // All turns of the lidar that were kept, and the question where a new one was measured: a
 // classifier of pairs finds candidates, registration decides.
 //
-// K. Granstrom et al. (see cloud_descriptor.h); T.-L. Habich, M. Stuede, M. Labbe, S. Spindeldreier:
-// Have I been here before? Learning to Close the Loop with LiDAR Data in Graph-Based SLAM, AIM 2021:
-// candidates by the classifier, then registration in steps, refused when it does not fit.
+// K. Granstrom et al. (see cloud_descriptor.h); T.-L. Habich, M. Stuede, M. Labbe, S.
+// Spindeldreier: Have I been here before? Learning to Close the Loop with LiDAR Data in Graph-Based
+// SLAM, AIM 2021: candidates by the classifier, then registration in steps, refused when it does
+// not fit.
 #ifndef COPPICE_ROBOT_APP_SLAM_CLOUDS_CLOUD_PLACES_H_
 #define COPPICE_ROBOT_APP_SLAM_CLOUDS_CLOUD_PLACES_H_
 

@@ -28,8 +28,8 @@ namespace coppice::robot::slam {
 
 struct SessionGraphSettings {
   OptimizeSettings optimize;
-  /// A closure that is off by no more, squared in standard deviations, moves nothing: the graph as it
-  /// is fits it.
+  /// A closure that is off by no more, squared in standard deviations, moves nothing: the graph as
+  /// it is fits it.
   double settled = 4;
   /// A closure that is farther off than this afterwards, squared in standard deviations, is false.
   double most_error = 30;

@@ -34,7 +34,8 @@ Parameters ParametersOf(SpeechSettings& settings);
 /// Puts the secrets and what follows from others into their places.
 void Complete(SpeechSettings& settings);
 
-/// "none", "folder:PATH" or "alsa:DEVICE"; `clock` is for the first two. A problem for another text.
+/// "none", "folder:PATH" or "alsa:DEVICE"; `clock` is for the first two. A problem for another
+/// text.
 Expected<std::unique_ptr<SoundOutput>> MakeOutput(const std::string& output, Clock& clock);
 /// The device of "alsa:DEVICE", empty for "none".
 Expected<std::string> DeviceOf(const std::string& microphone);

@@ -71,6 +71,7 @@ class Floor3d extends Floor {
   setWay(way) {
     this.path.children.slice().forEach(part => {
       part.geometry.dispose();
+      part.material.dispose();
       this.path.remove(part);
     });
     if (way) this.addWay(way);

@@ -1,6 +1,6 @@
 // Nothing that stood on the screen five seconds ago is lost, whatever is killed and when: sessions
-// of random work in which the editor is killed, also in the middle of what it writes, the disk fails
-// for a while, and the file is removed, comes back or is changed by others.
+// of random work in which the editor is killed, also in the middle of what it writes, the disk
+// fails for a while, and the file is removed, comes back or is changed by others.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

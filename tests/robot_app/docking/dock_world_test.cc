@@ -102,8 +102,8 @@ TEST_F(DockingInWorld, ContactWithoutCurrentEndsInTheLadder) {
   EXPECT_THAT(controller().message(), testing::HasSubstr("no charging current"));
 }
 
-// A few of the dockings of `./dev bench docking`: with noise, worn wheels, a wrong idea of where the
-// robot is, a station that was moved, and passers-by.
+// A few of the dockings of `./dev bench docking`: with noise, worn wheels, a wrong idea of where
+// the robot is, a station that was moved, and passers-by.
 TEST(DockingStudy, EndsWithCurrentWithinAMinute) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const DockingOutcome outcome = DockOnce(seed);

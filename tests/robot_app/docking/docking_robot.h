@@ -1,5 +1,5 @@
-// The simulated robot that docks, without ROS and without delay: the laser, the odometry filter, the
-// localization with its errors, and what /docking makes of them.
+// The simulated robot that docks, without ROS and without delay: the laser, the odometry filter,
+// the localization with its errors, and what /docking makes of them.
 #ifndef COPPICE_TESTS_ROBOT_APP_DOCKING_DOCKING_ROBOT_H_
 #define COPPICE_TESTS_ROBOT_APP_DOCKING_DOCKING_ROBOT_H_
 
