@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/transforms/eigen_transform.h"
 #include "robot_app/localization/pose_history.h"
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/perception/camera/rgbd_topics.h"
@@ -78,15 +79,6 @@ Pose3 ToPose3(const Pose2D& pose) {
   result.translation() << pose.x, pose.y, 0;
   result.linear() = Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   return result;
-}
-
-Pose3 ToPose3(const geometry_msgs::Transform& transform) {
-  Pose3 pose = Pose3::Identity();
-  const auto& q = transform.rotation;
-  const auto& at = transform.translation;
-  pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  pose.translation() << at.x, at.y, at.z;
-  return pose;
 }
 
 geometry_msgs::Pose ToPoseMessage(const Pose3& pose) {
@@ -202,7 +194,7 @@ class SlamNode {
     if (!decoded) return decoded;
     const auto mount = transforms_.Find("base_link", message.header.frame_id, ros::Time(0));
     if (!mount) return Problem{mount.problem()};
-    const Eigen::Isometry3f place = ToPose3(mount->transform).cast<float>();
+    const Eigen::Isometry3f place = ToEigen(mount->transform).cast<float>();
     for (const perception::LidarPoint& point : points_) {
       const Eigen::Vector3f there(point.x, point.y, point.z);
       if (there.allFinite()) sight.cloud.push_back(place * there);
@@ -220,7 +212,7 @@ class SlamNode {
     const auto mount = transforms_.Find("base_link", moment->header.frame_id, ros::Time(0));
     if (!odometry || !mount || std::abs(stamp - sight.stamp) > kSameMoment) return;
     const Pose3 moved = sight.odometry.inverse() * ToPose3(*odometry);
-    const CameraMount lens{moment->lens, moved * ToPose3(mount->transform)};
+    const CameraMount lens{moment->lens, moved * ToEigen(mount->transform)};
     sight.pictures.push_back({FindFeatures(moment->colour, moment->depth, lens), lens});
     sight.brightness = BrightnessOf(moment->colour);
   }

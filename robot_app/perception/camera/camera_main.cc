@@ -14,6 +14,7 @@
 
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/transforms/eigen_transform.h"
 #include "robot_app/perception/camera/damaged_rows.h"
 #include "robot_app/perception/camera/people_in_pictures.h"
 #include "robot_app/perception/camera/rgbd_topics.h"
@@ -75,15 +76,6 @@ Parameters ParametersOf(Settings& settings) {
       {"depth_classifier", &settings.depth_classifier, "for people in depth; none: only in colour"},
       {"lidar", &settings.lidar, "its points too say how far somebody is"},
   };
-}
-
-Eigen::Isometry3d ToEigen(const geometry_msgs::Transform& transform) {
-  const auto& q = transform.rotation;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  const auto& at = transform.translation;
-  pose.translation() = Eigen::Vector3d(at.x, at.y, at.z);
-  return pose;
 }
 
 // One camera with what looks at its pictures.
