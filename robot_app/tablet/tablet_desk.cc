@@ -55,10 +55,14 @@ TabletDesk::TabletDesk(std::unique_ptr<knowledge::Dialogue> dialogue, Topologica
     : dialogue_(std::move(dialogue)),
       guide_(std::move(map)),
       links_(links),
-      clock_(std::move(clock)) {}
+      clock_(std::move(clock)) {
+  dialogue_->set_way(
+      [this] { return view_.pose ? knowledge::RealWay(guide_, *view_.pose) : knowledge::WayTo(); });
+}
 
 std::string TabletDesk::Reply(const std::string& call) {
   const std::lock_guard lock(mutex_);
+  was_asked_ = true;
   try {
     const Json json = ParseLimitedJson(call);
     const std::string what = json.at("do").get<std::string>();
@@ -77,11 +81,14 @@ void TabletDesk::SetGrid(OccupancyGrid grid) {
   grid_ = std::move(grid);
 }
 
-// The nearest place is the one with the shortest way from where the robot is now.
 void TabletDesk::ChangeView(const std::function<void(TabletView& view)>& change) {
   const std::lock_guard lock(mutex_);
   change(view_);
-  if (view_.pose) dialogue_->set_way(knowledge::RealWay(guide_, *view_.pose));
+}
+
+bool TabletDesk::TakeWasAsked() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(was_asked_, false);
 }
 
 nlohmann::json TabletDesk::Screen(const Json& call) {

@@ -70,6 +70,10 @@ class TabletDesk {
   void SetGrid(OccupancyGrid grid);
   void ChangeView(const std::function<void(TabletView& view)>& change);
 
+  /// Whether a page has asked anything since this was called last: one that is open does, four
+  /// times a second.
+  bool TakeWasAsked();
+
  private:
   using Json = nlohmann::json;
   using Handler = Json (TabletDesk::*)(const Json& call);
@@ -101,6 +105,7 @@ class TabletDesk {
   const std::function<WallTime()> clock_;
   OccupancyGrid grid_;
   TabletView view_;
+  bool was_asked_ = false;
 };
 
 }  // namespace coppice::robot::tablet

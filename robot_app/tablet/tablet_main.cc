@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,7 +28,8 @@
 namespace coppice::robot::tablet {
 namespace {
 
-constexpr double kPosePeriod = 0.25;  // s
+constexpr double kPosePeriod = 0.25;  // wall time [s]
+constexpr double kOpen = 10;          // after its last question a page counts as open [s]
 
 const Command& TabletCommand() {
   static const Command command{
@@ -139,13 +141,24 @@ class TabletNode {
   void OnOutcome(const std_msgs::String& outcome) {
     desk_.ChangeView([&](TabletView& view) { view.outcome = outcome.data; });
   }
+  // Only while somebody looks at the page: transforms come often.
   void LookWhereItIs() {
-    const auto newest = pose_.Newest();
-    if (newest) desk_.ChangeView([&](TabletView& view) { view.pose = newest->pose; });
+    const ros::WallTime now = ros::WallTime::now();
+    if (desk_.TakeWasAsked()) asked_ = now;
+    if (now - asked_ > ros::WallDuration(kOpen)) {
+      pose_.reset();
+    } else if (!pose_) {
+      pose_.emplace(Frames());
+    }
+    const auto newest = pose_ ? pose_->Newest() : std::nullopt;
+    desk_.ChangeView([&](TabletView& view) {
+      view.pose = newest ? std::optional<Pose2D>(newest->pose) : std::nullopt;
+    });
   }
 
   TabletDesk& desk_;
-  RobotPose pose_{Frames()};
+  std::optional<RobotPose> pose_;  // while the page is open
+  ros::WallTime asked_;            // by the page
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
 };

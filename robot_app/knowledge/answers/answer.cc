@@ -120,7 +120,8 @@ class Answering {
   }
 
   std::vector<Place> Nearest(const std::string& category) const {
-    if (way_) return NearestPlaces(database_, category, way_);
+    const WayTo way = way_ ? way_() : WayTo();
+    if (way) return NearestPlaces(database_, category, way);
     const Position here = Home();
     return NearestPlaces(database_, category,
                          [&here](const Place& place) { return StraightWay(here, place.position); });
@@ -299,7 +300,7 @@ class Answering {
   const Request& request_;
   Language language_;
   WallTime now_;
-  const WayTo& way_;
+  const WayFromHere& way_;
   const SiteTime* time_ = nullptr;
   Day today_;
 };

@@ -33,7 +33,7 @@ struct Answer {
 struct AnswerContext {
   Language language = Language::kEnglish;
   WallTime now;
-  WayTo way;  ///< from where the robot is; empty: as the crow flies from its home
+  WayFromHere way;  ///< empty, or where it returns that: as the crow flies from the robot's home
 };
 
 /// Answers a request whose slots are filled. Throws std::runtime_error if the database is damaged.

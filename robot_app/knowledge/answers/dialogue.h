@@ -49,7 +49,7 @@ class Dialogue {
   Language language() const { return language_; }
   void set_language(Language language) { language_ = language; }
   /// From where the robot is; without it as the crow flies from its home.
-  void set_way(WayTo way) { way_ = std::move(way); }
+  void set_way(WayFromHere way) { way_ = std::move(way); }
 
  private:
   /// What the robot has asked back.
@@ -79,7 +79,7 @@ class Dialogue {
   ByLanguage<std::unique_ptr<Understander>> understanders_;
   std::optional<std::int64_t> version_;  // of the names in the understanders
   Language language_ = Language::kEnglish;
-  WayTo way_;
+  WayFromHere way_;
   std::optional<Question> question_;
   std::optional<Answer> last_;
 };

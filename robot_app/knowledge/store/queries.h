@@ -38,6 +38,9 @@ std::vector<Person> PeopleIn(const Database& database, const std::string& place)
 
 /// How far it is to a place, in any unit; infinite if there is no way.
 using WayTo = std::function<double(const Place& place)>;
+/// The same from where the robot is now; called only for an answer that depends on it. May return
+/// an empty one: not known.
+using WayFromHere = std::function<WayTo()>;
 /// As the crow flies [m], for who has no map of the ways: another floor counts 100 m, another
 /// building 1 km, a place that is not on the map 50 m.
 double StraightWay(const Position& from, const Position& to);

@@ -25,8 +25,8 @@ class Conversation {
   /// nothing was understood.
   coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard, WallTime now);
 
-  /// From where the robot is; without it as the crow flies from its home.
-  void set_way(knowledge::WayTo way) { dialogue_->set_way(std::move(way)); }
+  /// Without it as the crow flies from the robot's home.
+  void set_way(knowledge::WayFromHere way) { dialogue_->set_way(std::move(way)); }
 
   /// The one that is spoken now.
   knowledge::Language language() const { return dialogue_->language(); }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kWatchPeriod = 0.05;  // wall time [s]
 constexpr double kStatePeriod = 1.0;   // wall time [s]
+constexpr double kPosePatience = 0.5;  // wall time [s]
 constexpr int kAnswerPriority = coppice_msgs::SpeakGoal::NORMAL;
 
 void Warn(const std::string& problem) {
@@ -54,7 +55,6 @@ SpeechNode::SpeechNode(SpeechSettings settings, std::unique_ptr<RosClock> clock,
     : settings_(std::move(settings)),
       clock_(std::move(clock)),
       parts_(std::move(parts)),
-      pose_(parts_.guide ? std::optional<RobotPose>(std::in_place, Frames()) : std::nullopt),
       voices_(settings_.voices, Warn),
       mouth_(
           node_,
@@ -75,6 +75,7 @@ SpeechNode::SpeechNode(SpeechSettings settings, std::unique_ptr<RosClock> clock,
 
 void SpeechNode::Serve() {
   if (!parts_.conversation) return;
+  if (parts_.guide) parts_.conversation->set_way([this] { return WayFromHere(); });
   services_.push_back(node_.advertiseService("/speech/ask", &SpeechNode::OnAsk, this));
   services_.push_back(node_.advertiseService("/speech/listen", &SpeechNode::OnListen, this));
   services_.push_back(node_.advertiseService("/speech/hear_file", &SpeechNode::OnHearFile, this));
@@ -94,6 +95,18 @@ void SpeechNode::Serve() {
 
 std::string SpeechNode::SpokenNow() const {
   return parts_.conversation ? Code(parts_.conversation->language()) : "en";
+}
+
+// Few ask for what is near, and transforms come often: it listens to them only then.
+knowledge::WayTo SpeechNode::WayFromHere() const {
+  const RobotPose robot{Frames()};
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPosePatience);
+  while (ros::ok() && ros::WallTime::now() < deadline) {
+    const auto newest = robot.Newest();
+    if (newest) return knowledge::RealWay(*parts_.guide, newest->pose);
+    ros::WallDuration(kWatchPeriod / 5).sleep();
+  }
+  return {};
 }
 
 void SpeechNode::OnSamples(const std::vector<std::int16_t>& samples) {
@@ -119,8 +132,6 @@ void SpeechNode::OnHeard(const HeardUtterance& utterance) {
 
 coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard, bool aloud) {
   heard_.publish(heard);
-  const auto newest = pose_ ? pose_->Newest() : std::nullopt;
-  if (newest) parts_.conversation->set_way(knowledge::RealWay(*parts_.guide, newest->pose));
   coppice_msgs::Answer answer = parts_.conversation->Answer(heard, WallNow());
   answer.header.stamp = ros::Time::now();
   answer_.publish(answer);

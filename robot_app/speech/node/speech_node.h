@@ -50,12 +50,12 @@ class SpeechNode {
   void Watch();
   void PublishState();
   std::string SpokenNow() const;
+  knowledge::WayTo WayFromHere() const;
 
   const SpeechSettings settings_;
   ros::NodeHandle node_;
   const std::unique_ptr<RosClock> clock_;
   const Parts parts_;
-  const std::optional<RobotPose> pose_;  // if there is a guide
   Voices voices_;
   SpeakServer mouth_;
   Ear ear_;

@@ -87,7 +87,8 @@ TEST_F(DialogueTest, WhereTheRobotCannotDriveItDoesNotGuide) {
 
 TEST_F(DialogueTest, TheNearestDependsOnWhereTheRobotIs) {
   EXPECT_EQ(Hear("where is the toilet").place, "restroom_ground");
-  dialogue_->set_way([](const Place& place) { return place.id == "restroom_first" ? 1 : 2; });
+  dialogue_->set_way(
+      [] { return [](const Place& place) { return place.id == "restroom_first" ? 1 : 2; }; });
   EXPECT_EQ(Hear("where is the toilet").place, "restroom_first");
 }
 

@@ -5,6 +5,7 @@
 #include <coppice_msgs/SpeakAction.h>
 #include <coppice_msgs/SpeechState.h>
 #include <gtest/gtest.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include "bt_core/base/read_file.h"
 #include "robot_app/common/child_process.h"
@@ -32,7 +33,8 @@ class SpeechNodeTest : public testing::Test {
   void SetUp() override {
     program_ = ChildProcess(
         {BinaryFolder() + "/bin/coppice-speech", "_knowledge:=" + folder_.Path("campus.db"),
-         "_site:=sample", "_output:=folder:" + folder_.Path("said")},
+         "_site:=sample", "_output:=folder:" + folder_.Path("said"),
+         "_places:=" + SourceFolder() + "/robot_app/config/places.yaml"},
         folder_.Path("log"));
     ASSERT_TRUE(Eventually([&] {
       return client_.isServerConnected() && ros::service::exists("/speech/hear_file", false);
@@ -56,8 +58,30 @@ class SpeechNodeTest : public testing::Test {
     return Eventually([&] { return goal.getCommState() == actionlib::CommState::DONE; });
   }
 
+  // Of the one that is answered while it stands there, x [m] along the corridor.
+  std::string NearestOfficeFrom(double x) {
+    tf2_msgs::TFMessage message;
+    for (const auto& [parent, child] : {std::pair("map", "odom"), std::pair("odom", "base_link")}) {
+      geometry_msgs::TransformStamped& frame = message.transforms.emplace_back();
+      frame.header.frame_id = parent;
+      frame.child_frame_id = child;
+      frame.transform.translation.x = std::string(child) == "odom" ? x : 0;
+      frame.transform.rotation.w = 1;
+    }
+    const ros::WallTimer timer =
+        node_.createWallTimer(ros::WallDuration(0.02), [&](const ros::WallTimerEvent&) {
+          for (auto& frame : message.transforms) frame.header.stamp = ros::Time::now();
+          tf_.publish(message);
+        });
+    coppice_msgs::Ask ask;
+    ask.request.text = "where is the nearest office";
+    EXPECT_TRUE(ros::service::call("/speech/ask", ask));
+    return ask.response.answer.place;
+  }
+
   TemporaryFolder folder_;
   ros::NodeHandle node_;
+  ros::Publisher tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10);
   Client client_{node_, "/speak"};
   std::atomic<int> words_{0};
   ChildProcess program_;
@@ -105,6 +129,11 @@ TEST_F(SpeechNodeTest, AnswersWhatIsAskedInWriting) {
   EXPECT_EQ(answer.slots, std::vector<std::string>{"place=library"});
   EXPECT_EQ(answer.heard.who, "anna");
   EXPECT_TRUE(Eventually([&] { return told.get() && told.get()->text == answer.text; }));
+}
+
+TEST_F(SpeechNodeTest, TheNearestPlaceIsThatFromWhereTheRobotIs) {
+  EXPECT_EQ(NearestOfficeFrom(8), "office_105");
+  EXPECT_EQ(NearestOfficeFrom(24), "office_103");
 }
 
 TEST_F(SpeechNodeTest, AQuestionThatIsAskedBackIsGoneForSomebodyElse) {
