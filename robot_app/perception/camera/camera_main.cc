@@ -172,7 +172,7 @@ class CameraNode {
     if (IsCovered(moment->colour, moment->depth)) {
       return Problem{"the picture shows nothing: is the lens covered?"};
     }
-    eye.damage.Add(moment->colour);
+    eye.damage.Add(moment->colour, moment->depth);
     auto ranges = RangesOf(*moment);
     if (!ranges) return Problem{ranges.problem()};
     Outcome cloud = AddLidar(moment->header.stamp, *ranges);

@@ -12,8 +12,8 @@ namespace {
 constexpr int kPieces = 8;            // across the picture
 constexpr int kLeastDifference = 10;  // grey levels; noise and JPEG make less
 constexpr int kTimesUsual = 4;
-constexpr double kNewest = 0.1;      // of the mean
-constexpr double kUndamaged = 0.01;  // three rows of 480 are the most that a floor showed
+constexpr double kNewest = 0.1;  // of the mean
+constexpr double kUndamaged = 0.005;
 
 int Median(std::vector<int> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -36,21 +36,32 @@ int Difference(const Picture& picture, int row) {
   return Median(std::move(pieces));
 }
 
+bool HasDepth(const DepthPicture& depth, int row) {
+  const auto first = depth.millimetres.begin() + static_cast<std::ptrdiff_t>(row) * depth.width;
+  return std::any_of(first, first + depth.width, [](std::uint16_t range) { return range != 0; });
+}
+
 }  // namespace
 
-double TornShare(const Picture& picture) {
+double TornShare(const Picture& picture, const DepthPicture& depth) {
   if (picture.width < kPieces || picture.height < 2) return 0;
+  if (depth.width != picture.width || depth.height != picture.height) return 0;
   std::vector<int> differences;
   for (int row = 0; row + 1 < picture.height; ++row) {
     differences.push_back(Difference(picture, row));
   }
   const int limit = std::max(kLeastDifference, kTimesUsual * Median(differences));
-  const auto torn = std::count_if(differences.begin(), differences.end(),
-                                  [limit](int difference) { return difference > limit; });
-  return static_cast<double>(torn) / static_cast<double>(differences.size());
+  int torn = 0;
+  for (int row = 0; row + 1 < picture.height; ++row) {
+    if (differences[static_cast<std::size_t>(row)] <= limit) continue;
+    if (HasDepth(depth, row) != HasDepth(depth, row + 1)) ++torn;
+  }
+  return static_cast<double>(torn) / (picture.height - 1);
 }
 
-void TornGauge::Add(const Picture& picture) { share_ += kNewest * (TornShare(picture) - share_); }
+void TornGauge::Add(const Picture& picture, const DepthPicture& depth) {
+  share_ += kNewest * (TornShare(picture, depth) - share_);
+}
 
 bool TornGauge::is_damaged() const { return share_ > kUndamaged; }
 
