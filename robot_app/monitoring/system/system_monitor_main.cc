@@ -11,12 +11,17 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "bt_core/base/command_line.h"
 #include "robot_app/common/node_probe.h"
 #include "robot_app/monitoring/monitor_program.h"
 #include "robot_app/monitoring/system/other_computers.h"
-#include "robot_app/monitoring/system/remote_watch.h"
+#include "robot_app/monitoring/system/regular_answers.h"
+#include "robot_app/monitoring/system/remote_answers.h"
 #include "robot_app/monitoring/system/system_monitor.h"
 #include "robot_app/monitoring/system/time_server.h"
 
@@ -34,21 +39,30 @@ class Program {
     const SystemWatch* watch = start.config.ForHost(start.host);
     monitor_.Watch(watch);
     if (watch) period_ = watch->period;
-    Ask();
+    AskSystem();
+    AskOthers();
     program_.ReportRegularly([this](const Times& now) { Look(now); });
   }
 
  private:
   void Look(const Times& now) {
-    if (now.wall >= next_measurement_) {
-      next_measurement_ = now.wall + period_;
-      monitor_.Measure(pids_, now.wall);
-    }
     LookForNodes();
+    if (const auto sample = system_.Take()) {
+      monitor_.OnSample(*sample);
+      AskSystem();
+    }
     if (const auto answers = remote_.Take()) {
       monitor_.OnClocks(answers->clocks, now.wall);
       monitor_.OnHosts(answers->hosts, now.wall);
     }
+  }
+
+  // Only what is new: a question begins a look at once.
+  void AskSystem() {
+    SystemQuestion question = monitor_.Question(pids_);
+    if (period_ == Duration::zero() || question == question_) return;
+    question_ = question;
+    system_.Ask(std::move(question), period_);
   }
 
   // The nodes themselves say which processes they are and where; whoever does not answer has none.
@@ -62,7 +76,7 @@ class Program {
       pids_[node] = result.pid;
       if (result.answered) computers_.OnAddress(program_.node().processes(), node, result.host);
     }
-    if (monitor_.OnComputers(computers_.List(program_.node().processes()))) Ask();
+    if (monitor_.OnComputers(computers_.List(program_.node().processes()))) AskOthers();
   }
 
   std::vector<ProbeRequest> NodesToAsk() {
@@ -76,7 +90,7 @@ class Program {
     return requests;
   }
 
-  void Ask() {
+  void AskOthers() {
     const SystemWatch& watch = monitor_.watched();
     RemoteQuestions questions;
     for (const ClockWatch& clock : watch.clocks) {
@@ -85,16 +99,21 @@ class Program {
     for (const ReachWatch& host : watch.hosts) {
       questions.hosts.push_back({host.address, host.port});
     }
-    questions.period = watch.ask_period;
     questions.deadline = watch.deadline;
-    remote_.Ask(std::move(questions));
+    const bool is_asked = !questions.clocks.empty() || !questions.hosts.empty();
+    remote_.Ask(is_asked ? std::optional(std::move(questions)) : std::nullopt, watch.ask_period);
+  }
+
+  static SystemSample LookNow(const SystemQuestion& question) {
+    return LookAtSystem("", question, MonitorNode::Now().wall);
   }
 
   SystemMonitor monitor_;
-  RemoteWatch remote_;
+  RegularAnswers<SystemQuestion, SystemSample> system_{&LookNow};
+  RegularAnswers<RemoteQuestions, RemoteAnswers> remote_{&AskComputers};
   OtherComputers computers_;
   Duration period_{0};
-  Time next_measurement_{};
+  std::optional<SystemQuestion> question_;
   std::map<std::string, int> pids_;
   MonitorProgram program_;
   NodeProbe probe_;

@@ -82,7 +82,7 @@ class ShippedComputerTest : public ShippedMonitorsTest {
       root_.WriteMemory(100, second.available);
       root_.WriteInterface("wlp3s0", 0, sent_, errors_, drops_);
       now_ += seconds(1);
-      monitor_.Measure({}, now_);
+      monitor_.OnSample(LookAtSystem(root_.path(), monitor_.Question({}), now_));
       monitor_.OnClocks({second.clock}, now_);
       monitor_.OnHosts({second.host}, now_);
     }
@@ -97,7 +97,7 @@ class ShippedComputerTest : public ShippedMonitorsTest {
   }
 
   ProcRoot root_{"shipped_monitors_test"};
-  SystemMonitor monitor_{root_.path()};
+  SystemMonitor monitor_;
   Time now_{seconds(100)};
   int busy_ = 1000, idle_ = 1000, errors_ = 0, drops_ = 0;
   long sent_ = 0;

@@ -37,7 +37,7 @@ class SystemMonitorTest : public testing::Test {
     busy_ += busy_ticks;
     idle_ += idle_ticks;
     root_.WriteCpu(busy_, idle_);
-    monitor_.Measure(pids_, now_ += seconds(1));
+    monitor_.OnSample(LookAtSystem(root_.path(), monitor_.Question(pids_), now_ += seconds(1)));
   }
   Finding About(const std::string& monitor, const std::string& subject) {
     for (const Finding& finding : monitor_.Report({}, {Time(seconds(9)), now_})) {
@@ -48,7 +48,7 @@ class SystemMonitorTest : public testing::Test {
   }
 
   ProcRoot root_{"system_monitor_test"};
-  SystemMonitor monitor_{root_.path()};
+  SystemMonitor monitor_;
   SystemWatch watch_;
   std::map<std::string, int> pids_;
   Time now_{seconds(100)};
@@ -155,6 +155,25 @@ TEST_F(SystemMonitorTest, AComputerThatDoesNotAnswerTwiceIsAnError) {
   EXPECT_EQ(About("network", "host jetson").level, HealthLevel::kError);
   monitor_.OnHosts({0.002}, now_);
   EXPECT_EQ(About("network", "host jetson").level, HealthLevel::kOk);
+}
+
+TEST_F(SystemMonitorTest, ASystemThatDoesNotAnswerIsTold) {
+  root_.WriteMemory(1000, 900);
+  Second(0, 100);
+  now_ += seconds(10);
+  EXPECT_EQ(About("memory", "used").level, HealthLevel::kOk);
+  now_ += seconds(1);
+  EXPECT_EQ(About("memory", "used").level, HealthLevel::kError);
+  EXPECT_EQ(About("disk", testing::TempDir()).message,
+            "the system has not answered for 11 s: does a disk hang?");
+  Second(0, 100);
+  EXPECT_EQ(About("memory", "used").level, HealthLevel::kOk);
+}
+
+TEST_F(SystemMonitorTest, ASystemThatHasNeverAnsweredIsTold) {
+  EXPECT_NE(About("memory", "used").level, HealthLevel::kError);
+  now_ += seconds(11);
+  EXPECT_EQ(About("memory", "used").level, HealthLevel::kError);
 }
 
 TEST_F(SystemMonitorTest, WithoutAWatchThereIsNothingToSay) {
