@@ -92,6 +92,7 @@ TEST(Verbs, EveryOptionThatTheManualSpeaksOfIsThere) {
     std::ifstream file(page);
     for (std::string line; std::getline(file, line);) {
       for (const Verb& verb : Verbs()) {
+        if (line.find("coppice " + verb.name()) == std::string::npos) continue;  // a regex is slow
         for (const std::string& call : AllMatches(line, "coppice " + verb.name() + "( [^`#]*)")) {
           for (const std::string& name : AllMatches(call, "[ \\[(](--?[a-z][a-z-]*)")) {
             EXPECT_THAT(OptionsOf(verb.command()), Contains(name)) << page << ": " << line;

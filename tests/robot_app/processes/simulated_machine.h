@@ -163,7 +163,7 @@ class SimulatedRobot {
     const Time end = machine.now + at_most;
     while (!condition()) {
       if (machine.now >= end) return false;
-      machine.now += std::chrono::milliseconds(20);
+      machine.now += std::chrono::milliseconds(50);
       machine.Round();
       for (std::string& call : supervisor_->TakeCalls()) calls.push_back(std::move(call));
       if (supervisor_->NeedsNewStack(machine.now)) {
