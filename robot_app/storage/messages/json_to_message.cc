@@ -1,5 +1,6 @@
 #include "robot_app/storage/messages/json_to_message.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -16,7 +17,8 @@ namespace {
 using Count = MessageField::Count;
 using nlohmann::json;
 
-constexpr std::uint64_t kLongestMessage = std::uint64_t{1} << 30;  // bytes, as roscpp
+constexpr std::uint64_t kLongestMessage = std::uint64_t{64}
+                                          << 20;  // bytes, with zeros for what is not there
 
 class Builder {
  public:
@@ -64,15 +66,21 @@ class Builder {
     const auto length = value.at("length").get<std::uint32_t>();
     const std::uint64_t size = layout_.SizeOfOne(field).value_or(0);
     const auto kept = value.contains("file") ? read_(value.at("file")) : std::nullopt;
-    if (size != 0 && kept && kept->size() == size * length) {
+    if (size != 0 && kept && kept->size() / size == length && kept->size() % size == 0) {
       AddLength(field, length);
       message_.bytes += *kept;
       return;
     }
     message_.is_whole = false;
     if (field.count == Count::kAny) return Add(std::uint32_t{0});
-    if (size * field.length > kLongestMessage) throw std::runtime_error("the message is too long");
-    message_.bytes.append(size * field.length, '\0');
+    AddZeros(size, field.length);
+  }
+
+  // A server may say anything of what it does not have.
+  void AddZeros(std::uint64_t size, std::uint64_t length) {
+    const std::uint64_t room = kLongestMessage - std::min(kLongestMessage, message_.bytes.size());
+    if (size != 0 && length > room / size) throw std::runtime_error("the message is too long");
+    message_.bytes.append(size * length, '\0');
   }
 
   void AddOne(const MessageField& field, const json& value) {

@@ -49,10 +49,10 @@ std::string_view TakeLine(std::string_view& text) {
   return line;
 }
 
+bool IsLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
 bool IsName(std::string_view text) {
-  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || c == '_'; });
+  return !text.empty() && std::all_of(text.begin(), text.end(), IsLetter);
 }
 
 std::string PackageOf(std::string_view type) { return std::string(type.substr(0, type.find('/'))); }
@@ -72,6 +72,7 @@ std::uint64_t Plus(std::uint64_t a, std::uint64_t b) {
 class Parser {
  public:
   Expected<MessageLayout> Parse(const std::string& type, std::string_view text) {
+    if (!IsTypeName(type)) return Problem{"expected the name of a type"};
     if (text.size() > kLongestDefinition) return Problem{type + ": the definition is too long"};
     Begin(type);
     for (line_ = 1; !text.empty(); ++line_) {
@@ -100,6 +101,7 @@ class Parser {
     if (line.substr(0, 3) == "===") return {};
     if (line.substr(0, 4) == "MSG:") {
       const std::string type(Trimmed(line.substr(4)));
+      if (!IsTypeName(type)) return Problem{"expected the name of a type"};
       if (numbers_.count(type) != 0) return Problem{type + " is defined twice"};
       Begin(type);
       return {};
@@ -172,6 +174,7 @@ class Parser {
         const Outcome outcome = Measure(field.message, depth + 1);
         if (!outcome) return outcome;
       }
+      if (field.count == MessageField::Count::kFixed && field.length == 0) continue;
       const auto one = layout_.SizeOfOne(field);
       const bool is_fixed = size && one && field.count != MessageField::Count::kAny;
       size = is_fixed ? std::optional(Plus(*size, Times(*one, field.length))) : std::nullopt;
@@ -192,6 +195,11 @@ class Parser {
 
 const char* Word(FieldKind kind) { return kKinds[static_cast<std::size_t>(kind)].word; }
 std::size_t SizeOf(FieldKind kind) { return kKinds[static_cast<std::size_t>(kind)].size; }
+
+bool IsTypeName(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return IsLetter(c) || c == '/'; });
+}
 
 std::optional<std::uint64_t> MessageLayout::SizeOfOne(const MessageField& field) const {
   if (field.kind == FieldKind::kString) return std::nullopt;

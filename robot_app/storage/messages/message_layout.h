@@ -72,8 +72,11 @@ struct MessageLayout {
   std::optional<std::uint64_t> SizeOfOne(const MessageField& field) const;
 };
 
-inline constexpr std::size_t kLongestDefinition = std::size_t{1} << 20;  // bytes
-inline constexpr int kDeepestMessage = 32;                               // messages within messages
+inline constexpr std::size_t kLongestDefinition = std::size_t{256} << 10;  // bytes
+inline constexpr int kDeepestMessage = 32;  // messages within messages
+
+/// Letters, digits, "_" and "/", as in "geometry_msgs/Pose": it needs no quotes anywhere.
+bool IsTypeName(std::string_view text);
 
 /// A problem names the type and the line.
 Expected<MessageLayout> ParseDefinition(const std::string& type, std::string_view definition);

@@ -177,7 +177,7 @@ class Writer {
     if (!file.empty()) json_ += ",\"file\":" + JsonString(file);
   }
 
-  // Elements whose size is not fixed begin with a length, at least: there are no more than bytes.
+  // Elements whose size is not fixed hold a length, at least: there are no more of them than bytes.
   void Pass(const MessageField& field, std::uint32_t length) {
     for (std::uint32_t i = 0; i < length; ++i) PassOne(field);
   }

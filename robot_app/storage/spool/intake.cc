@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "bt_core/model/utf8.h"
+
 namespace coppice::robot::storage {
 namespace {
 
 constexpr const char* kNoRoom = "the spool could not be written";
+constexpr const char* kOther = "other reasons";
+constexpr std::size_t kMostReasons = 20;  // of a topic
+constexpr std::size_t kLongestReason = 200;
 
 }  // namespace
 
@@ -62,11 +67,21 @@ void Intake::MakeRoom(std::int64_t now) {
 }
 
 void Intake::CountLoss(const std::string& topic, const std::string& reason, std::int64_t now) {
-  Loss& loss = losses_[{topic, reason}];
-  if (loss.count == 0) loss = {topic, reason, 0, now, now};
+  const std::string why = Reason(topic, reason);
+  Loss& loss = losses_[{topic, why}];
+  if (loss.count == 0) loss = {topic, why, 0, now, now};
   ++loss.count;
   loss.last = now;
   ++state_.lost;
+}
+
+// Whoever sends messages that cannot be understood has a say in the reason.
+std::string Intake::Reason(const std::string& topic, const std::string& reason) {
+  std::string plain = PlainText(reason, kLongestReason);
+  std::set<std::string>& known = reasons_[topic];
+  if (known.size() >= kMostReasons && known.count(plain) == 0) return kOther;
+  known.insert(plain);
+  return plain;
 }
 
 std::vector<Document> Intake::TakeDocuments() {

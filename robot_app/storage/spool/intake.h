@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -61,6 +62,7 @@ class Intake {
   void Append(Document document);
   void MakeRoom(std::int64_t now);
   void CountLoss(const std::string& topic, const std::string& reason, std::int64_t now);
+  std::string Reason(const std::string& topic, const std::string& reason);
   std::vector<Document> TakeDocuments();
   std::vector<Loss> TakeLosses();
   void PutBack(std::vector<Document> documents, std::vector<Loss> losses, const char* problem);
@@ -74,6 +76,7 @@ class Intake {
   std::array<std::deque<Document>, kPriorities> waiting_;
   std::size_t bytes_ = 0;  // of them
   std::map<std::pair<std::string, std::string>, Loss> losses_;
+  std::map<std::string, std::set<std::string>> reasons_;  // of each topic, since the start
   IntakeState state_;
   bool is_ending_ = false;
   std::thread thread_;

@@ -10,9 +10,10 @@
 namespace coppice::robot::storage {
 namespace {
 
-constexpr int kPatience = 1000;     // ms, with another program
-constexpr int kGivenUpAtOnce = 50;  // documents, when there is no room
-constexpr int kFreePages = 4096;    // that are kept in the file when it has become empty
+constexpr int kPatience = 1000;          // ms, with another program
+constexpr int kGivenUpAtOnce = 50;       // documents, when there is no room
+constexpr int kFreePages = 4096;         // that are kept in the file when it has become empty
+constexpr std::size_t kMostTypes = 200;  // in memory
 constexpr const char* kNoRoom = "the spool was full";
 
 Document ReadDocument(SQLite::Statement& row, std::shared_ptr<const MessageType> type) {
@@ -83,6 +84,7 @@ std::int64_t Spool::NumberOf(const MessageType& type) {
 }
 
 std::shared_ptr<const MessageType> Spool::TypeOf(std::int64_t number) const {
+  if (types_.size() >= kMostTypes) types_.clear();  // they are in the file
   std::shared_ptr<const MessageType>& type = types_[number];
   if (type) return type;
   SQLite::Statement find(*database_, "SELECT name, md5, definition FROM types WHERE id = ?");

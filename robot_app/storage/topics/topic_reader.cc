@@ -1,8 +1,28 @@
 #include "robot_app/storage/topics/topic_reader.h"
 
+#include <algorithm>
+#include <cctype>
 #include <utility>
 
+#include "bt_core/model/utf8.h"
+
 namespace coppice::robot::storage {
+namespace {
+
+bool IsMd5(const std::string& text) {
+  return text.size() <= 32 && std::all_of(text.begin(), text.end(), [](char c) {
+           return std::isalnum(static_cast<unsigned char>(c)) != 0;
+         });
+}
+
+// The remarks in a definition may be in any encoding, but no database takes them like that.
+std::string Utf8Of(std::string text) {
+  std::replace(text.begin(), text.end(), '\0', '?');
+  for (std::size_t at; (at = FindInvalidUtf8(text)) < text.size();) text[at] = '?';
+  return text;
+}
+
+}  // namespace
 
 TopicReader::TopicReader(TopicConfig config, Intake& intake, FileStore& files)
     : config_(std::move(config)), intake_(intake), files_(files) {}
@@ -20,11 +40,25 @@ bool TopicReader::IsDue(std::int64_t now) {
 
 Outcome TopicReader::Learn(const HeardMessage& message) {
   if (!type_ || type_->md5 != message.md5 || type_->name != message.type) {
-    type_ = std::make_shared<const MessageType>(
-        MessageType{message.type, message.md5, message.definition});
-    layout_ = ParseDefinition(message.type, message.definition);
+    const Outcome remembered = Remember(message);
+    if (!remembered) return remembered;
   }
   return layout_ ? Outcome() : Problem{layout_.problem()};
+}
+
+Outcome TopicReader::Remember(const HeardMessage& message) {
+  if (!IsTypeName(message.type) || !IsMd5(message.md5)) {
+    return Problem{"expected the name of a type and its MD5 sum"};
+  }
+  if (message.definition.size() > kLongestDefinition) {
+    return Problem{message.type + ": the definition is too long"};
+  }
+  if (types_ >= kMostTypes) return Problem{"the topic has had too many types"};
+  ++types_;
+  type_ = std::make_shared<const MessageType>(
+      MessageType{message.type, message.md5, Utf8Of(message.definition)});
+  layout_ = ParseDefinition(type_->name, type_->definition);
+  return {};
 }
 
 JsonRules TopicReader::RulesAt(std::int64_t now) {

@@ -26,6 +26,9 @@ struct HeardMessage {
   std::int64_t stamp = 0;     ///< ROS time [ns]
 };
 
+/// A topic has one type, and a few more while its programs are exchanged.
+inline constexpr int kMostTypes = 16;
+
 /// For one thread.
 class TopicReader {
  public:
@@ -40,12 +43,14 @@ class TopicReader {
  private:
   bool IsDue(std::int64_t now);
   Outcome Learn(const HeardMessage& message);
+  Outcome Remember(const HeardMessage& message);
   JsonRules RulesAt(std::int64_t now);
 
   const TopicConfig config_;
   Intake& intake_;
   FileStore& files_;
   std::int64_t due_ = 0;  // the next one is stored from then on [ns]
+  int types_ = 0;         // there have been so far
   std::shared_ptr<const MessageType> type_;
   Expected<MessageLayout> layout_ = MessageLayout();  // of the type
 };

@@ -63,6 +63,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"MSG: a/B", "a/B: line 1: a/B is defined twice"},
                     Wrong{"B b", "a/B is nested too deep"}));
 
+TEST(ParseDefinition, TakesNoTypeWhoseNameWouldNeedQuotes) {
+  const std::string problem = "expected the name of a type";
+  EXPECT_EQ(ParseDefinition("a/B\"", "").problem(), problem);
+  EXPECT_EQ(ParseDefinition("", "").problem(), problem);
+  EXPECT_EQ(ParseDefinition("a/B", "x\",\"y[] z\nMSG: x\",\"y\n").problem(),
+            "a/B: line 2: " + problem);
+}
+
+TEST(ParseDefinition, CountsAnArrayOfNothingAsNothingWhateverItIsOf) {
+  const auto layout = ParseDefinition("a/B", "string[0] x\nint32 y");
+  ASSERT_TRUE(layout) << layout.problem();
+  EXPECT_EQ(layout->messages[0].size, 4u);
+}
+
 TEST(ParseDefinition, RefusesWhatIsTooLong) {
   EXPECT_FALSE(ParseDefinition("a/B", std::string(kLongestDefinition + 1, '\n')));
 }

@@ -164,6 +164,26 @@ TEST(MessageToJson, TakesNoMoreTimeThanItsBytesCallForWhateverTheySay) {
   EXPECT_EQ(JsonOf(blow, ""), "a message of a/B is too long");
 }
 
+TEST(MessageToJson, PassesElementsOfNothingAtOnce) {
+  const std::string nothing = "\n" + std::string(80, '=') + "\nMSG: a/N\nM[4000000000] m\n" +
+                              std::string(80, '=') + "\nMSG: a/M\nstring[0] s\n";
+  EXPECT_EQ(JsonOf("N[] x" + nothing, kMany), R"({"x":{"left_out":"a/N","length":4294967295}})");
+}
+
+TEST(JsonToMessage, InventsNoGigabytesForWhatIsNotThere) {
+  const std::string left_out = R"({"left_out":"uint8","length":60000000})";
+  const auto problem = [&](const std::string& definition, const std::string& json) {
+    return JsonToMessage(ParseDefinition("a/B", definition).value(), json, {}).problem();
+  };
+  EXPECT_EQ(problem("uint8[60000000] x", R"({"x":)" + left_out + "}"), "");
+  EXPECT_EQ(problem("uint8[60000000] x\nuint8[60000000] y",
+                    R"({"x":)" + left_out + R"(,"y":)" + left_out + "}"),
+            "a/B: the message is too long");
+  const std::string huge =
+      "N[4294967295] x\n" + std::string(80, '=') + "\nMSG: a/N\nuint8[4294967295] y\n";
+  EXPECT_EQ(problem(huge, R"({"x":)" + left_out + "}"), "a/B: the message is too long");
+}
+
 TEST(JsonToMessage, NamesTheMemberThatDoesNotFit) {
   const MessageLayout layout = ParseDefinition("a/B", "int32 x\nfloat64[2] y").value();
   EXPECT_EQ(JsonToMessage(layout, R"({"y":[1,2]})", {}).problem(), "a/B: \"x\" does not fit a/B");

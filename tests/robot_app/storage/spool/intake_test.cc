@@ -42,6 +42,26 @@ TEST(Intake, StoresWhatIsThereWhenItEnds) {
   EXPECT_EQ(spool->Look().documents, 100);
 }
 
+TEST(Intake, KeepsFewReasonsAndNoneThatADatabaseDoesNotTake) {
+  const TemporaryFolder folder;
+  const auto spool = std::move(Spool::Open(folder.Path("spool.db"), {})).value();
+  {
+    Intake intake(*spool, {1 << 20, std::chrono::hours(1)}, [] {});
+    for (int i = 0; i < 100; ++i) {
+      intake.Lose("/t", "\xff'" + std::to_string(i) + std::string("\0\n", 2), 1);
+    }
+    intake.Lose("/t", "\xff'" + std::to_string(0), 1);
+  }
+  const Batch batch = spool->Next({});
+  ASSERT_EQ(batch.losses.size(), 21u);
+  std::int64_t count = 0;
+  for (const Loss& loss : batch.losses) {
+    count += loss.count;
+    EXPECT_TRUE(loss.reason == "other reasons" || loss.reason[0] == '\'') << loss.reason;
+  }
+  EXPECT_EQ(count, 101);
+}
+
 TEST(Intake, CountsWhatDoesNotFitIntoMemory) {
   const TemporaryFolder folder;
   const auto spool = std::move(Spool::Open(folder.Path("spool.db"), {})).value();

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/robot_app/eventually.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::storage {
@@ -18,7 +19,8 @@ class TopicReaderTest : public testing::Test {
     Intake intake(*spool_, {}, [] {});
     TopicReader reader(config, intake, files_);
     for (const std::int64_t time : times) {
-      reader.OnMessage({"a/B", "m" + definition, definition, bytes, time, 7});
+      const std::string type = "a/B", md5 = "m" + std::to_string(definition.size());
+      reader.OnMessage({type, md5, definition, bytes, time, 7});
     }
   }
 
@@ -61,6 +63,27 @@ TEST_F(TopicReaderTest, CountsWhatItDoesNotUnderstand) {
   for (const Loss& loss : batch.losses) reasons.push_back(loss.reason);
   EXPECT_THAT(reasons, testing::UnorderedElementsAre("a message of a/B has 1 bytes too many",
                                                      "a/B: line 1: expected a type and a name"));
+}
+
+TEST_F(TopicReaderTest, KeepsRemarksOfAnyEncodingOutOfTheDatabase) {
+  Read({"/a"}, {kStart}, "char[] x # 5 \xb5m");
+  const Batch batch = spool_->Next({});
+  ASSERT_EQ(batch.documents.size(), 1u);
+  EXPECT_EQ(batch.documents[0].type->definition, "char[] x # 5 ?m");
+}
+
+TEST_F(TopicReaderTest, HasNoMoreTypesThanATopicHasAndNoOddOnes) {
+  Intake intake(*spool_, {}, [] {});
+  TopicReader reader({"/a"}, intake, files_);
+  const std::string definition = "int8 x", bytes = "a", bad = "\xff'\"";
+  for (int i = 0; i < kMostTypes + 2; ++i) {
+    const std::string type = "a/B", md5 = "m" + std::to_string(i);
+    reader.OnMessage({type, bad, definition, bytes, kStart, 7});
+    reader.OnMessage({bad, md5, definition, bytes, kStart, 7});
+    reader.OnMessage({type, md5, definition, bytes, kStart, 7});
+  }
+  EXPECT_TRUE(Eventually([&] { return intake.Look().stored == kMostTypes; }));
+  EXPECT_EQ(intake.Look().lost, 2u + 2 * (kMostTypes + 2));
 }
 
 TEST_F(TopicReaderTest, KeepsWhatIsTooLongInAFile) {
