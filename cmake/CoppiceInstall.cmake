@@ -91,6 +91,7 @@ if(TARGET coppice_python)
   install(TARGETS coppice_python LIBRARY DESTINATION ${dist_packages} COMPONENT python OPTIONAL)
   install(DIRECTORY bt_core/python/coppice/ DESTINATION ${dist_packages} COMPONENT python
           FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN __pycache__ EXCLUDE)
+  install(DIRECTORY ${COPPICE_PYTHON_INFO} DESTINATION lib/python3/dist-packages COMPONENT python)
   coppice_install_papers(python python3-coppice)
 endif()
 

@@ -47,17 +47,22 @@ PortDeclaration DeclarationFrom(const py::tuple& told) {
   return port;
 }
 
-void AddLeaf(Registry& registry, const std::string& id, bool is_condition,
+NodeCategory CategoryFrom(const std::string& text) {
+  if (text == "condition") return NodeCategory::kCondition;
+  if (text == "control") return NodeCategory::kControl;
+  return text == "decorator" ? NodeCategory::kDecorator : NodeCategory::kAction;
+}
+
+void AddNode(Registry& registry, const std::string& id, const std::string& category,
              const std::string& description, const py::list& ports, py::object make) {
-  LeafClass added;
-  const NodeCategory category = is_condition ? NodeCategory::kCondition : NodeCategory::kAction;
-  added.manifest = {id, category, description, {}};
+  NodeClass added;
+  added.manifest = {id, CategoryFrom(category), description, {}};
   for (const py::handle port : ports) {
     added.manifest.ports.push_back(DeclarationFrom(port.cast<py::tuple>()));
   }
   added.make = Object(std::move(make));
-  added.is_condition = is_condition;
-  AddLeafClass(registry, std::move(added));
+  added.is_condition = added.manifest.category == NodeCategory::kCondition;
+  AddNodeClass(registry, std::move(added));
 }
 
 // A plugin uses the engine of the program, which lies in this module: Python has loaded it for
@@ -73,8 +78,9 @@ void LoadPlugin(Registry& registry, const std::string& path) {
 void BindRegistry(py::module_& module) {
   py::class_<Registry, std::shared_ptr<Registry>>(module, "Registry")
       .def(py::init<>())
-      .def("add_leaf", &AddLeaf, py::arg("id"), py::arg("is_condition"), py::arg("description"),
+      .def("add_node", &AddNode, py::arg("id"), py::arg("category"), py::arg("description"),
            py::arg("ports"), py::arg("make"))
+      .def("add_script_constant", &Registry::AddScriptConstant, py::arg("name"), py::arg("value"))
       .def("load_plugin", &LoadPlugin, py::arg("path"))
       .def("ids", &Registry::Ids)
       .def("models", &WriteModels)
@@ -103,7 +109,11 @@ void BindNodeLink(py::module_& module) {
       .def("path", &NodeLink::Path)
       .def("new_sender", &NodeLink::NewSender)
       .def("take", &NodeLink::Take)
-      .def("request_tick", &NodeLink::RequestTick);
+      .def("request_tick", &NodeLink::RequestTick)
+      .def("count_children", &NodeLink::CountChildren)
+      .def("tick_child", &NodeLink::TickChild, py::arg("child"))
+      .def("status_of_child", &NodeLink::StatusOfChild, py::arg("child"))
+      .def("halt_child", &NodeLink::HaltChild, py::arg("child"));
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
-// Leaves in Python: a node of the user whose work is done by an object of Python.
+// Leaves and control nodes in Python: nodes of the user whose work is done by an object of Python.
 //
-// A PythonLeaf lives in the executor and owns its object, which reaches the leaf by a NodeLink: its
-// ports, its messages, the time. The link outlives the leaf and says then that the tree is gone.
+// A PythonLeaf or PythonControl lives in the executor and owns its object, which reaches the node
+// by a NodeLink: its ports, its messages, the time, its children. The link outlives the node and
+// says then that the tree is gone.
 //
 // All calls of Python take the GIL, which the ticking thread does not have otherwise. An exception
 // of Python becomes a PythonError with the traceback as its text; KeyboardInterrupt and SystemExit,
@@ -9,6 +10,7 @@
 #ifndef COPPICE_BT_CORE_PYTHON_LEAF_H_
 #define COPPICE_BT_CORE_PYTHON_LEAF_H_
 
+#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -17,6 +19,7 @@
 
 #include "bt_core/engine/registry.h"
 #include "bt_core/engine/runner.h"
+#include "bt_core/nodes/user_control.h"
 #include "bt_core/python/object.h"
 
 namespace coppice::python {
@@ -55,11 +58,11 @@ class Interruption {
   Object exception_;
 };
 
-/// What the engine asks of a leaf, in the order of the methods that it is made with.
+/// What the engine asks of a node, in the order of the methods that it is made with.
 enum class Method : std::uint8_t { kStart, kRunning, kHalted, kStopped, kCount };
 
-/// What a class of leaves says of itself, once.
-struct LeafClass {
+/// What a class of nodes says of itself, once.
+struct NodeClass {
   Manifest manifest;
   Object make;        ///< called with the NodeLink, gives a tuple of methods in their order
   bool is_condition;  ///< its one method returns a bool
@@ -78,14 +81,14 @@ class PythonPort final : public PortBase {
   const Type& type_;
 };
 
-class PythonLeaf;
+class PythonNode;
 
-/// What the object in Python has of its leaf. Its functions raise RuntimeError where they may not
-/// be called: all but NewSender's senders and RequestTick belong into the leaf's own methods.
+/// What the object in Python has of its node. Its functions raise RuntimeError where they may not
+/// be called: all but NewSender's senders and RequestTick belong into the node's own methods.
 class NodeLink {
  public:
-  explicit NodeLink(PythonLeaf* leaf) : leaf_(leaf) {}
-  void Cut() { leaf_ = nullptr; }
+  explicit NodeLink(PythonNode* node) : node_(node) {}
+  void Cut() { node_ = nullptr; }
 
   py::object Read(std::size_t port) const;
   bool HasValue(std::size_t port) const;
@@ -103,41 +106,87 @@ class NodeLink {
   /// Any thread.
   void RequestTick() const;
 
- private:
-  PythonLeaf& Leaf() const;
+  // Of control nodes and decorators. Children are numbered from 0; raise IndexError.
+  std::size_t CountChildren() const;
+  Status TickChild(std::size_t child) const;
+  Status StatusOfChild(std::size_t child) const;
+  void HaltChild(std::size_t child) const;
 
-  PythonLeaf* leaf_;
+ private:
+  PythonNode& Node() const;
+  Children& ChildrenWith(std::size_t child) const;
+
+  PythonNode* node_;
 };
 
-class PythonLeaf final : public Leaf {
+/// What leaves and control nodes have in common: ports, the object and its methods.
+class PythonNode {
  public:
-  explicit PythonLeaf(std::shared_ptr<const LeafClass> leaf_class);
-  ~PythonLeaf() override;
+  PythonNode(std::shared_ptr<const NodeClass> node_class, UserNode& node);
+  ~PythonNode();
+  PythonNode(const PythonNode&) = delete;
+  PythonNode& operator=(const PythonNode&) = delete;
 
   /// Makes the object: with the GIL. Throws what its __init__ raises.
-  void set_host(LeafHost* host) override;
+  void Make();
 
-  Status Tick(bool starting) override;
-  void Halt() override;
-  bool HasStopped() override;
+  /// `children`: of a control node, as long as it is ticked.
+  Status Tick(bool starting, Children* children = nullptr);
+  void Halt();
+  bool HasStopped();
 
  private:
   friend class NodeLink;
   class Call;
 
   py::object Ask(Method method);
+  void Rethrow(py::error_already_set& error);
   Status StatusOf(py::handle result, Method method) const;
   std::string WhyUnset(const Slot* slot) const;
+  LeafHost& host() const { return node_.host(); }
 
-  const std::shared_ptr<const LeafClass> class_;
+  const std::shared_ptr<const NodeClass> class_;
+  UserNode& node_;
   std::vector<std::unique_ptr<PythonPort>> ports_;
-  Mailbox<Object> mailbox_{this, "mailbox"};
+  Mailbox<Object> mailbox_;
   std::shared_ptr<NodeLink> link_;
   Object methods_[static_cast<std::size_t>(Method::kCount)];
+  Children* children_ = nullptr;
+  std::exception_ptr aborted_;  // the engine's, on its way through Python
 };
 
-/// Adds a class of leaves. Throws as Registry::Register does.
-void AddLeafClass(Registry& registry, LeafClass leaf_class);
+class PythonLeaf final : public Leaf {
+ public:
+  explicit PythonLeaf(std::shared_ptr<const NodeClass> node_class)
+      : node_(std::move(node_class), *this) {}
+
+  void set_host(LeafHost* host) override;
+  Status Tick(bool starting) override { return node_.Tick(starting); }
+  void Halt() override { node_.Halt(); }
+  bool HasStopped() override { return node_.HasStopped(); }
+
+ private:
+  PythonNode node_;
+};
+
+class PythonControl final : public UserControl {
+ public:
+  explicit PythonControl(std::shared_ptr<const NodeClass> node_class)
+      : node_(std::move(node_class), *this) {}
+
+  void set_host(LeafHost* host) override;
+  Status Tick(Children& children, bool starting) override {
+    return node_.Tick(starting, &children);
+  }
+  void OnHalted() override { node_.Halt(); }
+
+ private:
+  PythonNode node_;
+};
+
+/// Adds a class of nodes: a control node or decorator, if its manifest says so, else a leaf. Throws
+/// as Registry::Register does.
+void AddNodeClass(Registry& registry, NodeClass node_class);
 
 /// Of an exception: its traceback as a text, without the frames of this package.
 std::string TracebackOf(py::handle exception);

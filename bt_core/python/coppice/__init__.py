@@ -21,6 +21,7 @@ import atexit as _atexit
 from . import _native
 from ._native import (Clock, Diagnostic, SimulatedClock, Status, UnsetInput, WallClock,
                       __version__)
+from .control import Child, Children, Control, Decorator
 from .coroutine import LOOP as _LOOP
 from .coroutine import AsyncAction, use_event_loop
 from .leaf import Action, Condition, Leaf, SyncAction
@@ -38,10 +39,11 @@ SKIPPED = Status.SKIPPED
 IDLE = Status.IDLE
 
 __all__ = [
-    "Action", "AsyncAction", "Clock", "Condition", "Diagnostic", "FAILURE", "IDLE", "InOut", "Input",
-    "Int64", "Leaf", "Live", "LoadError", "Node", "Output", "RUNNING", "Record", "Recorder", "Registry",
-    "SKIPPED", "SUCCESS", "SimulatedClock", "Status", "SyncAction", "Tree", "UnsetInput",
-    "WallClock", "check", "checks", "load", "loads", "open_record", "use_event_loop",
+    "Action", "AsyncAction", "Child", "Children", "Clock", "Condition", "Control", "Decorator",
+    "Diagnostic", "FAILURE", "IDLE", "InOut", "Input", "Int64", "Leaf", "Live", "LoadError", "Node",
+    "Output", "RUNNING", "Record", "Recorder", "Registry", "SKIPPED", "SUCCESS", "SimulatedClock",
+    "Status", "SyncAction", "Tree", "UnsetInput", "WallClock", "check", "checks", "load", "loads",
+    "open_record", "use_event_loop",
 ]
 
 for _type in (Clock, Diagnostic, LoadError, SimulatedClock, Status, UnsetInput, WallClock):

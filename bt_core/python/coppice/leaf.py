@@ -55,11 +55,12 @@ def nearest(name: str, known: List[str]) -> str:
 
 
 class Leaf:
-    """What all leaves have in common. Derive from Condition, SyncAction, Action or AsyncAction."""
+    """What all nodes have in common. Derive from Condition, SyncAction, Action or AsyncAction, or
+    from Control and Decorator."""
     _node: NodeLink
     _ports: ClassVar[Tuple[Declaration, ...]] = ()
     _known: ClassVar[FrozenSet[str]] = frozenset()  # what may be assigned, however it is spelt
-    _is_condition: ClassVar[bool] = False
+    _category: ClassVar[str] = "action"
     _methods: ClassVar[Tuple[str, ...]] = ()
 
     def __init_subclass__(cls, **keywords: Any) -> None:
@@ -135,7 +136,7 @@ class Leaf:
 
 class Condition(Leaf):
     """A question about the world, answered at once."""
-    _is_condition = True
+    _category = "condition"
     _methods = ("check", "check", "", "")
 
     def check(self) -> bool:

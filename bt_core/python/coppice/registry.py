@@ -1,10 +1,11 @@
 """The node types that a tree may use: those of the engine, and yours."""
 from __future__ import annotations
 
+import enum
 import inspect
 import os
 import typing
-from typing import Any, Callable, Iterable, List, Optional, Type, TypeVar, Union, overload
+from typing import Any, Callable, Dict, Iterable, List, Optional, Type, TypeVar, Union, overload
 
 from . import _native
 from ._native import Status
@@ -12,6 +13,7 @@ from .leaf import Condition, Leaf, SyncAction
 from .ports import Input
 
 F = TypeVar("F", bound=Callable[..., Any])
+E = TypeVar("E", bound=Type[enum.Enum])
 
 
 class Registry:
@@ -41,9 +43,9 @@ class Registry:
                             "@registry.condition or @registry.action")
         if not leaf._methods:
             raise TypeError(f"{leaf.__name__} derives from Leaf; derive it from Condition, "
-                            "SyncAction, Action or AsyncAction")
-        self._native.add_leaf(
-            id or leaf.__name__, leaf._is_condition, leaf.description(), list(leaf._ports),
+                            "SyncAction, Action, AsyncAction, Control or Decorator")
+        self._native.add_node(
+            id or leaf.__name__, leaf._category, leaf.description(), list(leaf._ports),
             lambda node: leaf._make(node, arguments, keywords))
 
     @overload
@@ -70,6 +72,22 @@ class Registry:
             self.register(_class_of(given, base, method), id=id or given.__name__)
             return given
         return add if function is None else add(function)
+
+    def enum(self, kind: E) -> E:
+        """Makes the names of an enum stand for their numbers in every script of a tree. Raises
+        ValueError if a name stands for another number already.
+
+            @registry.enum
+            class Colour(enum.IntEnum):
+                RED = 1
+        """
+        members: Dict[str, enum.Enum] = dict(kind.__members__)
+        for name, member in members.items():
+            if not isinstance(member.value, int):
+                raise TypeError(f"{kind.__name__}.{name} is {member.value!r}; scripts know the "
+                                "names of whole numbers")
+            self._native.add_script_constant(name, member.value)
+        return kind
 
     def load_plugin(self, path: Union[str, os.PathLike]) -> None:
         """Adds the node types of a shared library of C++ (bt_core/engine/plugin.h). Raises
