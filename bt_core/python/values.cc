@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -93,6 +94,10 @@ bool IsTimeDelta(py::handle object) {
 
 std::chrono::nanoseconds FromTimeDelta(py::handle delta) {
   const auto part = [&delta](const char* name) { return delta.attr(name).cast<std::int64_t>(); };
+  constexpr std::int64_t kMostDays = 106'000;  // 290 years, in nanoseconds
+  if (std::abs(part("days")) > kMostDays) {
+    throw py::value_error(std::string(py::str(delta)) + " is more than a duration can be");
+  }
   return std::chrono::hours(24) * part("days") + std::chrono::seconds(part("seconds")) +
          std::chrono::microseconds(part("microseconds"));
 }

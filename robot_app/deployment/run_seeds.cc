@@ -90,7 +90,7 @@ Expected<std::vector<std::uint64_t>> ParseSeeds(const std::string& text) {
       if (!ReadNumber(left, last)) return problem;
     }
     if (last < first || last - first >= kMostSeeds - seeds.size()) return problem;
-    for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
+    for (std::uint64_t i = 0; i <= last - first; ++i) seeds.push_back(first + i);
     if (left.empty()) return seeds;
     if (left[0] != ',') return problem;
     left.remove_prefix(1);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bt_core/live/web/web_access.h"
 #include "bt_core/live/web/web_connection.h"
 
 namespace coppice::robot::metrics {
@@ -44,6 +45,9 @@ class Connection final : public WebConnection {
     if (!shared_.authorization.empty() &&
         !IsSame(Field(http::field::authorization), shared_.authorization)) {
       return Reply(Status::unauthorized, "a token is needed\n", {{"WWW-Authenticate", "Bearer"}});
+    }
+    if (shared_.authorization.empty() && !IsLocalName(Field(http::field::host))) {
+      return Refuse(Status::forbidden, "without a token only this computer is served\n");
     }
     if (request().target() != "/metrics") return NotFound();
     Reply(Status::ok, shared_.text(), {{"Content-Type", kFormat}});

@@ -1,8 +1,11 @@
 #include "robot_app/questionnaire/answers_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
+#include <system_error>
 
 #include "bt_core/base/json_library.h"
 #include "bt_core/base/read_file.h"
@@ -11,6 +14,9 @@
 
 namespace coppice::robot::questionnaire {
 namespace {
+
+// Of more people than a robot meets. Each answer writes the file anew.
+constexpr std::size_t kMostAnswers = std::size_t{4} << 20;  // bytes
 
 std::vector<std::string> SplitRow(const std::string& row) {
   std::vector<std::string> fields;
@@ -58,6 +64,24 @@ Marks ReadRow(const std::string& row, const Questionnaire& questionnaire, Source
   return marks;
 }
 
+// Of other people, with the header, whole lines.
+Expected<std::string> AnswersSoFar(const std::string& path, const Questionnaire& questionnaire) {
+  const std::string header = HeaderOf(questionnaire) + "\n";
+  std::error_code error;
+  const bool is_new =
+      std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found;
+  if (is_new) return header;
+  Diagnostics diagnostics;
+  std::optional<std::string> text = ReadFile(path, diagnostics, kMostAnswers);
+  if (!text) return Problem{diagnostics.ToString()};
+  if (text->empty()) return header;
+  if (text->back() != '\n') *text += "\n";
+  std::string first = text->substr(0, text->find('\n') + 1);
+  if (first.size() > 1 && first[first.size() - 2] == '\r') first.erase(first.size() - 2, 1);
+  if (first == header) return *std::move(text);
+  return Problem{path + ": these are no answers to this questionnaire\n"};
+}
+
 }  // namespace
 
 std::vector<Marks> ReadAnswers(const std::string& path, const Questionnaire& questionnaire,
@@ -81,11 +105,13 @@ std::vector<Marks> ReadAnswers(const std::string& path, const Questionnaire& que
   return diagnostics.has_errors() ? std::vector<Marks>() : people;
 }
 
-// The whole file is written anew, so that no row is ever half there.
+// The whole file is written anew, so that no row is ever half there; so one that cannot be read is
+// left as it is.
 Outcome AddAnswers(const std::string& path, const Questionnaire& questionnaire,
                    const Marks& marks) {
-  std::string text = ReadFile(path).value_or("");
-  if (text.empty()) text = HeaderOf(questionnaire) + "\n";
+  Expected<std::string> answers = AnswersSoFar(path, questionnaire);
+  if (!answers) return Problem{answers.problem()};
+  std::string text = *std::move(answers);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     text += (i == 0 ? "" : ",") + (marks[i] == 0 ? "" : std::to_string(marks[i]));
   }

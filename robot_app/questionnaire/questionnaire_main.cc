@@ -25,7 +25,9 @@ const Command& QuestionnaireCommand() {
       {CommandOption::Flag("--figures", "says what the answers are"),
        CommandOption::Text("--questions", "FILE", "else the Godspeed questionnaire"),
        CommandOption::Text("--address", "ADDRESS", "to listen on; else 127.0.0.1"),
-       CommandOption::Whole("--port", "N", 0, 65535, "of the page, 0 = a free one; else 8092")}};
+       CommandOption::Whole("--port", "N", 0, 65535, "of the page, 0 = a free one; else 8092"),
+       CommandOption::Text("--name", "NAME",
+                           "by which browsers ask for it, if a name server knows it")}};
   return command;
 }
 
@@ -64,7 +66,8 @@ int Serve(const Questionnaire& questionnaire, const Options& options) {
   try {
     const std::string address = options.Get("--address", "127.0.0.1");
     const CallServer server(
-        {address, static_cast<std::uint16_t>(options.Whole("--port", 8092)), COPPICE_PAGE_FOLDER},
+        {address, static_cast<std::uint16_t>(options.Whole("--port", 8092)), COPPICE_PAGE_FOLDER,
+         options.Get("--name")},
         [&](const std::string& call) { return Reply(questionnaire, options.files[0], call); });
     std::cout << "http://" << address << ":" << server.port() << std::endl;
     int signal = 0;

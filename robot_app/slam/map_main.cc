@@ -1,19 +1,25 @@
 // coppice-map: what is in a map of many sessions; paints it and writes the grid that the map server
 // reads.
 #include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <vector>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/model/utf8.h"
 #include "bt_core/model/write_file.h"
 #include "robot_app/common/compressed_picture.h"
+#include "robot_app/common/largest_allocation.h"
 #include "robot_app/slam/drawing/map_picture.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"
 
 namespace coppice::robot::slam {
 namespace {
+
+constexpr std::size_t kLongestName = 60;  // bytes, of a session
 
 const Command kMap{
     "coppice-map",
@@ -26,7 +32,8 @@ const Command kMap{
      CommandOption::Text("--voxels", "FILE", "write the voxels as OctoMap reads them (.bt)"),
      CommandOption::Real("--resolution", "M", 0.02, 1, "of voxels and plan; else 0.1"),
      CommandOption::Whole("--session", "N", 1, 1000000,
-                          "show the map in which this session lies; else 1")}};
+                          "show the map in which this session lies; else 1"),
+     CommandOption::Whole("--memory", "MIB", 16, 1 << 20, "that it may take; else 240")}};
 
 int Fail(const std::string& problem) {
   std::fprintf(stderr, "coppice-map: %s\n", problem.c_str());
@@ -67,8 +74,9 @@ void Print(const LoadedMap& loaded) {
               "by picture", "by cloud");
   for (std::uint32_t i = 0; i < figures.size(); ++i) {
     const SessionFigures& one = figures[i];
-    std::printf("%-4u %-20s %4u %10d %8.1f %10d %9d\n", i + 1, map.names[i].name.c_str(),
-                graph.map_of(i) + 1, one.key_frames, one.way, one.by_picture, one.by_cloud);
+    const std::string name = PlainText(map.names[i].name, kLongestName);
+    std::printf("%-4u %-20s %4u %10d %8.1f %10d %9d\n", i + 1, name.c_str(), graph.map_of(i) + 1,
+                one.key_frames, one.way, one.by_picture, one.by_cloud);
   }
 }
 
@@ -85,7 +93,11 @@ int Paint(const LoadedMap& loaded, const Options& options) {
     if (!saved) return Fail(saved.problem());
   }
   if (!options.Has("--plan")) return 0;
-  const auto bytes = EncodeJpeg(DrawPlan(voxels.Project(), loaded.map, session), 90);
+  const OccupancyGrid grid = voxels.Project();
+  if (grid.frame.size() == 0) {
+    return Fail("there is nothing to paint, or it lies too far apart for --resolution");
+  }
+  const auto bytes = EncodeJpeg(DrawPlan(grid, loaded.map, session), 90);
   Diagnostics diagnostics;
   if (WriteFile(options.Get("--plan"), {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                 diagnostics))
@@ -93,9 +105,7 @@ int Paint(const LoadedMap& loaded, const Options& options) {
   return Fail(diagnostics.ToString());
 }
 
-int Main(const std::vector<std::string>& arguments) {
-  const Options options = ParseOptions(kMap, arguments);
-  if (options.exit) return *options.exit;
+int Show(const Options& options) {
   const auto loaded = Load(options.files[0]);
   if (!loaded) return Fail(loaded.problem());
   if (!loaded->remark.empty()) {
@@ -103,6 +113,19 @@ int Main(const std::vector<std::string>& arguments) {
   }
   Print(*loaded);
   return options.Has("--plan") || options.Has("--voxels") ? Paint(*loaded, options) : 0;
+}
+
+int Main(const std::vector<std::string>& arguments) {
+  const Options options = ParseOptions(kMap, arguments);
+  if (options.exit) return *options.exit;
+  LimitMemory(static_cast<std::size_t>(options.Whole("--memory", 240)) << 20);
+  try {
+    return Show(options);
+  } catch (const std::bad_alloc&) {
+    return Fail("the map takes more memory than --memory says");
+  } catch (const std::exception& error) {
+    return Fail(error.what());
+  }
 }
 
 }  // namespace

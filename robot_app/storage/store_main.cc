@@ -87,6 +87,10 @@ int Run(const Options& options) {
   std::filesystem::create_directories(config->folder, error);
   auto spool = Spool::Open(config->folder + "/spool.db", config->spool);
   if (!spool) return Fail(spool.problem());
+  if ((*spool)->has_replaced()) {
+    Fail("the spool was damaged; it is kept as " + config->folder +
+         "/spool.db.damaged, and a new one begun");
+  }
   std::signal(SIGINT, RequestEnd);
   std::signal(SIGTERM, RequestEnd);
   ros::NodeHandle node;

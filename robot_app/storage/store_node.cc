@@ -3,6 +3,7 @@
 #include <topic_tools/shape_shifter.h>
 
 #include <chrono>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -83,7 +84,12 @@ void StoreNode::Subscribe(ros::NodeHandle& node, TopicReader& reader) {
 // A monitor that hears nothing has the store restarted; so it speaks only while its thread works.
 void StoreNode::Tell() {
   shipper_.Watch();
-  const StoreState state{intake_.Look(), spool_->Look(), shipper_.Look()};
+  StoreState state{intake_.Look(), {}, shipper_.Look()};
+  try {
+    state.backlog = spool_->Look();
+  } catch (const std::runtime_error& damage) {
+    state.intake.problem = damage.what();
+  }
   if (std::exchange(rounds_, state.intake.rounds) == state.intake.rounds) return;
   diagnostic_msgs::DiagnosticArray message;
   message.header.stamp = ros::Time::now();

@@ -26,6 +26,11 @@ std::string TextOf(const nlohmann::json& call, const char* name) {
   return text;
 }
 
+// What others say of themselves, on topics, may be no text at all.
+std::string TextOf(const nlohmann::json& reply) {
+  return reply.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::vector<std::string> PathOf(const nlohmann::json& call) {
   auto path = call.at("path").get<std::vector<std::string>>();
   if (path.size() > kLongestPath) throw std::length_error("too long");
@@ -69,7 +74,7 @@ std::string TabletDesk::Reply(const std::string& call) {
     const auto language = knowledge::LanguageOf(json.value("language", LanguageCode()));
     if (language) dialogue_->set_language(*language);
     for (const Deed& deed : kDeeds) {
-      if (what == deed.name) return (this->*deed.handler)(json).dump();
+      if (what == deed.name) return TextOf((this->*deed.handler)(json));
     }
   } catch (const std::exception&) {  // whatever it was, the page learns nothing from it
   }

@@ -28,8 +28,10 @@
 namespace coppice::robot::tablet {
 namespace {
 
-constexpr double kPosePeriod = 0.25;  // wall time [s]
-constexpr double kOpen = 10;          // after its last question a page counts as open [s]
+constexpr double kPosePeriod = 0.25;        // wall time [s]
+constexpr int kMostCells = 4'000'000;       // of a map that a page can draw
+constexpr std::size_t kLongestText = 2000;  // bytes
+constexpr double kOpen = 10;                // after its last question a page counts as open [s]
 
 const Command& TabletCommand() {
   static const Command command{
@@ -46,6 +48,8 @@ const Command& TabletCommand() {
        CommandOption::Text("--places", "FILE", "the places and the ways between them").Needed(),
        CommandOption::Text("--address", "ADDRESS", "to listen on; else 127.0.0.1"),
        CommandOption::Whole("--port", "N", 0, 65535, "of the page, 0 = a free one; else 8091"),
+       CommandOption::Text("--name", "NAME",
+                           "by which browsers ask for it, if a name server knows it"),
        CommandOption::Text("--page", "FOLDER", "of its files; else the one that was built")}};
   return command;
 }
@@ -117,7 +121,7 @@ class TabletNode {
  private:
   void OnMap(const nav_msgs::OccupancyGrid& message) {
     Expected<OccupancyGrid> grid = ToGrid(message);
-    if (grid) desk_.SetGrid(*std::move(grid));
+    if (grid && grid->frame.size() <= kMostCells) desk_.SetGrid(*std::move(grid));
   }
   void OnFace(const sensor_msgs::Image& image) {
     const bool is_face = image.width == 64 && image.height == 32 && image.encoding == "rgb8" &&
@@ -132,14 +136,16 @@ class TabletNode {
   void OnAnswer(const coppice_msgs::Answer& answer) {
     if (answer.heard.source == coppice_msgs::Heard::TABLET) return;
     desk_.ChangeView([&](TabletView& view) {
-      view.said = {static_cast<knowledge::AnswerMood>(std::min<int>(answer.mood, 2)), answer.text,
-                   answer.place, answer.guides != 0};
+      view.said = {static_cast<knowledge::AnswerMood>(std::min<int>(answer.mood, 2)),
+                   answer.text.substr(0, kLongestText), answer.place.substr(0, kLongestText),
+                   answer.guides != 0};
       ++view.said_number;
       if (answer.guides) view.outcome.clear();
     });
   }
   void OnOutcome(const std_msgs::String& outcome) {
-    desk_.ChangeView([&](TabletView& view) { view.outcome = outcome.data; });
+    desk_.ChangeView(
+        [&](TabletView& view) { view.outcome = outcome.data.substr(0, kLongestText); });
   }
   // Only while somebody looks at the page: transforms come often.
   void LookWhereItIs() {
@@ -183,7 +189,7 @@ int Serve(const Options& options) {
   const std::unique_ptr<TabletDesk> desk = OpenDesk(options, links);
   const CallServer server({options.Get("--address", "127.0.0.1"),
                            static_cast<std::uint16_t>(options.Whole("--port", 8091)),
-                           options.Get("--page", COPPICE_TABLET_FOLDER)},
+                           options.Get("--page", COPPICE_TABLET_FOLDER), options.Get("--name")},
                           [&](const std::string& call) { return desk->Reply(call); });
   const TabletNode robot(*desk, node);
   ROS_INFO("the tablet's page is served at http://%s:%d",

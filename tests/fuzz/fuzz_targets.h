@@ -51,6 +51,15 @@ int FuzzLiteral(std::string_view bytes);
 /// answered with something else than an error.
 int FuzzLive(std::string_view bytes);
 
+/// The bytes as a map of many sessions, unpacked. What is read must fit together, and be read again
+/// when it is written. Returns 0 if it is refused, 1 if it was read.
+int FuzzMap(std::string_view bytes);
+
+/// The bytes as the definition of a message's type, up to a zero byte, and a message of it. What is
+/// stored must be JSON, and give a message as long when it is read. Returns 0 if the definition is
+/// refused, 1 if the message is, 2.
+int FuzzMessage(std::string_view bytes);
+
 /// The bytes as a picture of a camera: behind a 'D' of depths, else in colour. Returns 0 if it is
 /// refused, 1 if it was read.
 int FuzzPicture(std::string_view bytes);
@@ -74,6 +83,10 @@ int FuzzScenario(std::string_view bytes);
 /// The bytes as a script, on keys of all kinds. Every position must lie in the text; Run and Test
 /// may throw nothing but ScriptError. Returns how far it came: 0 refused, 1 failed when run, 2 ran.
 int FuzzScript(std::string_view bytes);
+
+/// The bytes as a WAV file, of a visitor's or of a service. Returns 0 if it is refused, 1 if there is
+/// nothing in it, 2.
+int FuzzWav(std::string_view bytes);
 
 /// The bytes as what somebody sends to the port for browsers; behind a 'W' over a WebSocket that is
 /// open already. The port must close the connection. Returns how far it came: 0 no answer, 1 an

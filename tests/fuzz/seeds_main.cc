@@ -6,6 +6,7 @@
 
 #if COPPICE_FUZZ_ROBOT
 #include "tests/fuzz/perception_seeds.h"
+#include "tests/fuzz/robot_file_seeds.h"
 #endif
 
 int main(int argc, char** argv) {
@@ -14,6 +15,10 @@ int main(int argc, char** argv) {
   auto seeds = coppice::fuzz::AllSeeds();
 #if COPPICE_FUZZ_ROBOT
   seeds.emplace_back("cloud", coppice::fuzz::SomeCloud());
+  seeds.emplace_back("map", coppice::fuzz::SomeMap());
+  seeds.emplace_back("message", coppice::fuzz::SomeMessage());
+  seeds.emplace_back("wav", coppice::fuzz::SomeWav());
+  seeds.emplace_back("wav", coppice::fuzz::SomePackedWav());
   seeds.emplace_back("picture", coppice::fuzz::SomeColourPicture());
   seeds.emplace_back("picture", coppice::fuzz::SomeDepthPicture());
 #endif

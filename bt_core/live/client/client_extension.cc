@@ -12,6 +12,7 @@ namespace {
 
 constexpr Duration kPingPeriod = std::chrono::milliseconds(1000);
 constexpr Duration kPatience = std::chrono::milliseconds(3000);
+constexpr Duration kHeldUp = std::chrono::milliseconds(2000);  // it is asked every second
 constexpr std::size_t kLongHeaderSize = 22;
 constexpr char kVersion = 2;
 constexpr std::size_t kMaxJson = 1 << 20;       // bytes: read, it takes many times of that
@@ -48,9 +49,12 @@ ClientExtension::ClientExtension(const LiveClientOptions& options, LiveListener&
 }
 
 // A robot that is not there yet answers the hello when it comes. What has answered once is asked
-// for signs of life.
+// for signs of life. Who was held up himself (a laptop that slept) has not listened: what the robot
+// has said meanwhile is still to be read.
 Duration ClientExtension::OnTime(Duration now) {
+  const bool was_held_up = now - std::exchange(looked_, now) >= kHeldUp;
   if (heard_ == Duration(0)) return now + kPingPeriod;
+  if (was_held_up) heard_ = now;
   if (pinged_ && now >= heard_ + kPatience) Fail("the robot does not answer");
   if (now >= next_ping_) {
     Ask(WriteSimple("ping"), nullptr);

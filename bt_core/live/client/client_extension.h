@@ -55,6 +55,7 @@ class ClientExtension final : public ClientSession {
   bool is_subscribed_ = false;
   std::vector<LiveNotice> early_notices_;  // those that came before the tree
   Duration heard_{0};
+  Duration looked_{0};  // when it was last asked what is due
   Duration next_ping_{0};
   bool pinged_ = false;  // since the robot was heard last
 };

@@ -68,6 +68,15 @@ bool IsOwnPage(std::string_view origin, std::string_view host) {
   return false;
 }
 
+bool IsLocalName(std::string_view host) {
+  constexpr std::string_view kLocal = ".local";
+  const std::string_view name = NameOf(host);
+  if (name.empty() || name.front() == '[' || IsNumber(name)) return !name.empty();
+  const bool is_multicast =
+      name.size() > kLocal.size() && name.substr(name.size() - kLocal.size()) == kLocal;
+  return is_multicast || name.find('.') == std::string_view::npos;
+}
+
 Expected<WebRole> WebAccess::Judge(const WebVisitor& visitor) const {
   const Offer offer = ReadOffer(visitor.protocols);
   if (!offer.knows_protocol) {

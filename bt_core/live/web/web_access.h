@@ -40,6 +40,11 @@ struct WebVisitor {
 /// Whether the page that a browser asks from (header field Origin) came from where it asks (Host).
 bool IsOwnPage(std::string_view origin, std::string_view host);
 
+/// Whether a page under this name (Host) can be nobody else's: an address, or a name that is not
+/// asked of the name servers of the world (without a dot, or that ends in .local). Of any other,
+/// whoever owns it can say that it means this computer, and his page is then of the same origin.
+bool IsLocalName(std::string_view host);
+
 class WebAccess {
  public:
   explicit WebAccess(WebTokens tokens = {}) : tokens_(std::move(tokens)) {}

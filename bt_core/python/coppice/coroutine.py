@@ -33,15 +33,15 @@ class _Work:
         self._loop = loop
         self._coroutine = coroutine
         self._on_end = on_end
-        self._task: Optional[asyncio.Task[Status]] = None
+        self._task: Optional[asyncio.Task[_Result]] = None
         self.has_ended = False
         loop.call_soon_threadsafe(self._begin)
 
     def _begin(self) -> None:
-        self._task = self._loop.create_task(self._coroutine)
+        self._task = self._loop.create_task(_held(self._coroutine))
         self._task.add_done_callback(self._end)
 
-    def _end(self, task: asyncio.Task[Status]) -> None:
+    def _end(self, task: asyncio.Task[_Result]) -> None:
         self.has_ended = True
         self._on_end(True)
 
@@ -55,7 +55,24 @@ class _Work:
     def result(self) -> Status:
         """Once it has ended. Raises what it raised."""
         assert self._task is not None
-        return self._task.result()
+        status, error = self._task.result()
+        if error is not None:
+            raise error
+        return status
+
+
+_Result = Tuple[Any, Optional[BaseException]]
+
+
+async def _held(coroutine: Any) -> _Result:
+    """What came of it. SystemExit and its like would end the loop, and with it the coroutines of all
+    other leaves; they are for the thread that ticks."""
+    try:
+        return await coroutine, None
+    except (asyncio.CancelledError, GeneratorExit):
+        raise
+    except BaseException as error:  # pylint: disable=broad-except
+        return None, error
 
 
 class _Loop:
@@ -187,7 +204,10 @@ class AsyncAction(Action):
     def _begin(self) -> Status:
         send = self._link.new_sender()
         object.__setattr__(self, "_node", _Snapshot(self._link, len(self._ports)))
-        self._work = LOOP.start(self.run(), send)
+        coroutine = self.run()
+        if not asyncio.iscoroutine(coroutine):
+            raise TypeError(f"{type(self).__name__}.run() is no coroutine; expected async def run")
+        self._work = LOOP.start(coroutine, send)
         return Status.RUNNING
 
     def _go_on(self) -> Status:

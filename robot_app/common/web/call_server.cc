@@ -30,6 +30,7 @@ struct Shared {
   const WebFiles files;
   const WebConnectionOptions options = ConnectionOptions();
   const CallServer::Reply reply;
+  const std::string name;
   RateLimit limit{CallServer::kMostCallsPerSecond};
 };
 
@@ -42,7 +43,10 @@ class CallConnection : public WebConnection {
   void OnUpgrade() override { Refuse(Status::forbidden, "Nothing is here.\n"); }
 
   void OnPost() override {
-    if (!IsOwnPage(Field(http::field::origin), Field(http::field::host))) {
+    const std::string_view host = Field(http::field::host);
+    const bool is_own_name = IsLocalName(host) || (!shared_.name.empty() &&
+                                                   host.substr(0, host.find(':')) == shared_.name);
+    if (!is_own_name || !IsOwnPage(Field(http::field::origin), host)) {
       return Refuse(Status::forbidden, "This page is of another origin.\n");
     }
     if (request().target() != kCall) return NotFound();
@@ -62,7 +66,7 @@ class CallConnection : public WebConnection {
 class CallServer::Loop {
  public:
   Loop(const CallServerOptions& options, Reply reply)
-      : shared_{WebFiles(options.folder), ConnectionOptions(), std::move(reply)},
+      : shared_{WebFiles(options.folder), ConnectionOptions(), std::move(reply), options.name},
         port_({options.address, options.port, "call_server", kMostConnections},
               [this](WebPort::Socket socket, WebPort& port) {
                 return std::make_shared<CallConnection>(std::move(socket), port, shared_);

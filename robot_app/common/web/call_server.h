@@ -22,6 +22,8 @@ struct CallServerOptions {
   std::string address = "127.0.0.1";  ///< as LocalAddress (bt_core/live/web/local_address.h)
   std::uint16_t port = 0;             ///< 0 takes a free one
   std::string folder;                 ///< of the page's files
+  /// By which browsers may ask for it, beside addresses and names of this network (IsLocalName).
+  std::string name = {};
 };
 
 class CallServer {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bt_core/base/read_file.h"
+#include "robot_app/common/run_apart.h"
 #include "robot_app/perception/detection/network_classes.h"
 #include "robot_app/perception/detection/network_output.h"
 #include "robot_app/perception/detection/picture_view.h"
@@ -20,6 +21,8 @@ namespace {
 constexpr std::size_t kLargestNetwork = std::size_t{1} << 30;  // bytes
 constexpr int kUsualSize = 640;
 constexpr int kLargestSize = 4096;
+// OpenCV crashes at some networks, so that each is tried apart, first.
+constexpr ApartLimits kTrial{std::size_t{2} << 30, std::chrono::seconds(60)};
 constexpr double kSameOne = 0.45;
 constexpr int kGray = 114;  // beside a picture that is no square
 
@@ -190,17 +193,32 @@ std::string Reason(const std::exception& error) {
   return text.substr(0, text.find('\n'));
 }
 
+Problem NotRun(const NetworkFiles& files, const std::string& reason) {
+  return Problem{files.file + ": OpenCV cannot run it (" + reason +
+                 "); expected YOLOv3 of Darknet, or ONNX for pictures of " +
+                 std::to_string(files.size > 0 ? files.size : kUsualSize) + " pixels"};
+}
+
+Expected<std::unique_ptr<Detector>> MakeHere(const NetworkFiles& files, double least_confidence) {
+  try {
+    return Make(files, least_confidence);
+  } catch (const std::exception& error) {
+    return NotRun(files, Reason(error));
+  }
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<Detector>> MakeNetworkDetector(const NetworkFiles& files,
                                                         double least_confidence) {
-  try {
-    return Make(files, least_confidence);
-  } catch (const std::exception& error) {
-    return Problem{files.file + ": OpenCV cannot run it (" + Reason(error) +
-                   "); expected YOLOv3 of Darknet, or ONNX for pictures of " +
-                   std::to_string(files.size > 0 ? files.size : kUsualSize) + " pixels"};
-  }
+  const Expected<int> tried = RunApart(
+      [&] {
+        cv::setNumThreads(1);  // the copy has no others
+        return MakeHere(files, least_confidence) ? 0 : 1;
+      },
+      kTrial);
+  if (!tried) return NotRun(files, "it " + tried.problem());
+  return MakeHere(files, least_confidence);
 }
 
 }  // namespace coppice::robot::perception

@@ -9,6 +9,7 @@
 #include "bt_core/base/command_line.h"
 #include "bt_core/model/write_file.h"
 #include "robot_app/common/compressed_picture.h"
+#include "robot_app/common/run_apart.h"
 #include "robot_app/perception/drawing/floor_picture.h"
 #include "robot_app/perception/people/people_in_record.h"
 
@@ -32,7 +33,8 @@ const Command kCommand{
      CommandOption::Text("--pictures", "FOLDER", "where to draw them; it is made"),
      CommandOption::Real("--every", "SECONDS", 0.05, 3600, "between two pictures; else 1"),
      CommandOption::Text("--frame", "NAME", "that does not move; else odom"),
-     CommandOption::Text("--classifier", "FILE", "that coppice-train made")}};
+     CommandOption::Text("--classifier", "FILE", "that coppice-train made"),
+     CommandOption::Whole("--memory", "MIB", 16, 1 << 20, "that it may take; else 240")}};
 
 int Fail(const std::string& problem) {
   std::fprintf(stderr, "coppice-people: %s\n", problem.c_str());
@@ -113,19 +115,7 @@ class Pictures {
   std::string problem_;
 };
 
-}  // namespace
-
-bool IsAboutRecord(const std::vector<std::string>& arguments) {
-  return std::any_of(arguments.begin(), arguments.end(),
-                     [](const std::string& argument) { return argument.rfind(kOffline, 0) == 0; });
-}
-
-int LookIntoRecord(const std::vector<std::string>& arguments, const std::string& classifier_file) {
-  const bool asks_for_help =
-      std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
-  const Options options =
-      ParseOptions(kCommand, asks_for_help ? std::vector<std::string>{"--help"} : arguments);
-  if (options.exit) return *options.exit;
+int Look(const Options& options, const std::string& classifier_file) {
   auto classifier = PersonClassifier::Load(options.Get("--classifier", classifier_file));
   if (!classifier) return Fail(classifier.problem());
   Pictures pictures(options.Get("--pictures"), options.Real("--every", 1));
@@ -141,6 +131,28 @@ int LookIntoRecord(const std::vector<std::string>& arguments, const std::string&
   if (!pictures.problem().empty()) return Fail(pictures.problem());
   std::fputs(Table(*figures).c_str(), stdout);
   return FinishOutput(0);
+}
+
+}  // namespace
+
+bool IsAboutRecord(const std::vector<std::string>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [](const std::string& argument) { return argument.rfind(kOffline, 0) == 0; });
+}
+
+int LookIntoRecord(const std::vector<std::string>& arguments, const std::string& classifier_file) {
+  const bool asks_for_help =
+      std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
+  const Options options =
+      ParseOptions(kCommand, asks_for_help ? std::vector<std::string>{"--help"} : arguments);
+  if (options.exit) return *options.exit;
+  // rosbag believes what a record says of itself, and crashes at some that are damaged.
+  const auto memory = static_cast<std::size_t>(options.Whole("--memory", 240)) << 20;
+  const Expected<int> looked =
+      RunApart([&] { return Look(options, classifier_file); }, {memory, {}});
+  if (looked) return *looked;
+  return Fail(options.Get(kOffline) + ": the record is damaged: who reads it " + looked.problem() +
+              ", or it takes more memory than --memory says");
 }
 
 }  // namespace coppice::robot::perception

@@ -98,7 +98,8 @@ void DrawGridLines(const std::vector<Curve>& curves, const Axes& axes, const cv:
 
 Picture DrawPlan(const OccupancyGrid& grid, const SlamMap& map, std::uint32_t of_session,
                  int most_pixels) {
-  const int scale = std::clamp(most_pixels / std::max(grid.frame.width, 1), 1, 8);
+  const int longer = std::max({grid.frame.width, grid.frame.height, 1});
+  const int scale = std::clamp(most_pixels / longer, 1, 8);
   Picture picture(std::max(grid.frame.width * scale, 1),
                   std::max(grid.frame.height * scale, 1) + 2 * kLegend);
   cv::Mat canvas = Canvas(picture);

@@ -21,7 +21,7 @@ SessionGraph::SessionGraph(SessionGraphSettings settings, PoseGraph graph,
   for (const Link& link : graph_.links) {
     const std::uint32_t a = maps_[sessions_[link.from]];
     const std::uint32_t b = maps_[sessions_[link.to]];
-    std::replace(maps_.begin(), maps_.end(), std::max(a, b), std::min(a, b));
+    if (a != b) std::replace(maps_.begin(), maps_.end(), std::max(a, b), std::min(a, b));
   }
 }
 

@@ -23,6 +23,7 @@ constexpr char kHeader[] = "coppice slam map 1\n";
 constexpr int kKept = 3;                 // versions
 constexpr int kLevel = 3;                // of compression
 constexpr std::size_t kMostRatio = 100;  // of compression: more is no map
+constexpr double kFarthest = 1000;       // range of a key frame [m]
 constexpr std::int16_t kNone = std::numeric_limits<std::int16_t>::min();
 
 std::int16_t ToCentimetres(float metres) {
@@ -158,6 +159,7 @@ KeyFrame GetKeyFrame(Reader& reader) {
   KeyFrame key_frame;
   key_frame.stamp = reader.Get<double>();
   key_frame.range = reader.Get<double>();
+  if (!(key_frame.range >= 0 && key_frame.range <= kFarthest)) reader.Fail();
   key_frame.descriptor = reader.Get<CloudDescriptor>();
   key_frame.points = reader.GetPoints();
   const std::size_t pictures = reader.GetSize(4);
@@ -184,48 +186,6 @@ Link GetLink(std::size_t poses, Reader& reader) {
   reader.GetMatrix(link.information);
   if (link.from >= poses || link.to >= poses || link.kind > LinkKind::kCloud) reader.Fail();
   return link;
-}
-
-std::string Written(const SlamMap& map) {
-  Writer writer;
-  writer.PutSize(map.names.size());
-  for (const SessionName& session : map.names) {
-    writer.PutText(session.name);
-    writer.Put(session.begin);
-  }
-  writer.PutSize(map.key_frames.size());
-  for (std::size_t i = 0; i < map.key_frames.size(); ++i) {
-    writer.Put(map.sessions[i]);
-    PutPose(map.graph.poses[i], writer);
-    PutKeyFrame(*map.key_frames[i], writer);
-  }
-  writer.PutSize(map.graph.links.size());
-  for (const Link& link : map.graph.links) PutLink(link, writer);
-  return writer.bytes();
-}
-
-std::optional<SlamMap> Parsed(const std::string& bytes) {
-  Reader reader(bytes);
-  SlamMap map;
-  map.names.resize(reader.GetSize(12));
-  for (SessionName& session : map.names) {
-    session.name = reader.GetText();
-    session.begin = reader.Get<double>();
-  }
-  const std::size_t frames = reader.GetSize(100);
-  for (std::size_t i = 0; i < frames && !reader.failed(); ++i) {
-    map.sessions.push_back(reader.Get<std::uint32_t>());
-    map.graph.poses.push_back(GetPose(reader));
-    map.key_frames.push_back(std::make_shared<KeyFrame>(GetKeyFrame(reader)));
-    const std::uint32_t last = i == 0 ? 0 : map.sessions[i - 1];
-    if (map.sessions[i] < last || map.sessions[i] >= map.names.size()) reader.Fail();
-  }
-  const std::size_t links = reader.GetSize(100);
-  for (std::size_t i = 0; i < links && !reader.failed(); ++i) {
-    map.graph.links.push_back(GetLink(frames, reader));
-  }
-  if (reader.failed()) return std::nullopt;
-  return map;
 }
 
 std::string Compressed(const std::string& bytes) {
@@ -277,6 +237,51 @@ std::string PathOf(const std::string& folder, int version) {
 
 }  // namespace
 
+std::string BytesOf(const SlamMap& map) {
+  Writer writer;
+  writer.PutSize(map.names.size());
+  for (const SessionName& session : map.names) {
+    writer.PutText(session.name);
+    writer.Put(session.begin);
+  }
+  writer.PutSize(map.key_frames.size());
+  for (std::size_t i = 0; i < map.key_frames.size(); ++i) {
+    writer.Put(map.sessions[i]);
+    PutPose(map.graph.poses[i], writer);
+    PutKeyFrame(*map.key_frames[i], writer);
+  }
+  writer.PutSize(map.graph.links.size());
+  for (const Link& link : map.graph.links) PutLink(link, writer);
+  return writer.bytes();
+}
+
+std::optional<SlamMap> ParseSlamMap(const std::string& bytes) {
+  Reader reader(bytes);
+  SlamMap map;
+  map.names.resize(reader.GetSize(12));
+  for (SessionName& session : map.names) {
+    session.name = reader.GetText();
+    session.begin = reader.Get<double>();
+  }
+  const std::size_t frames = reader.GetSize(100);
+  for (std::size_t i = 0; i < frames && !reader.failed(); ++i) {
+    map.sessions.push_back(reader.Get<std::uint32_t>());
+    map.graph.poses.push_back(GetPose(reader));
+    map.key_frames.push_back(std::make_shared<KeyFrame>(GetKeyFrame(reader)));
+    const std::uint32_t session = map.sessions[i], last = i == 0 ? 0 : map.sessions[i - 1];
+    const bool begins = session == last + 1 && i > 0;
+    if ((session != last && !begins) || session >= map.names.size()) reader.Fail();
+  }
+  const std::size_t links = reader.GetSize(100);
+  for (std::size_t i = 0; i < links && !reader.failed(); ++i) {
+    map.graph.links.push_back(GetLink(frames, reader));
+  }
+  if (reader.failed()) return std::nullopt;
+  // A session that had seen nothing when the map was saved never was.
+  map.names.resize(frames == 0 ? 0 : map.sessions.back() + 1);
+  return map;
+}
+
 Expected<int> SaveSlamMap(const std::string& folder, const SlamMap& map) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -284,7 +289,7 @@ Expected<int> SaveSlamMap(const std::string& folder, const SlamMap& map) {
   std::vector<int> versions = VersionsIn(folder);
   const int version = versions.empty() ? 1 : versions.back() + 1;
   Diagnostics diagnostics;
-  if (!WriteFile(PathOf(folder, version), kHeader + Compressed(Written(map)), diagnostics)) {
+  if (!WriteFile(PathOf(folder, version), kHeader + Compressed(BytesOf(map)), diagnostics)) {
     return Problem{diagnostics.ToString()};
   }
   versions.push_back(version);
@@ -305,7 +310,7 @@ Expected<SlamMap> ReadSlamMap(const std::string& file) {
                    std::string(kHeader, header - 1) + "\""};
   }
   const auto bytes = Unpacked(text->data() + header, text->size() - header);
-  auto map = bytes ? Parsed(*bytes) : std::nullopt;
+  auto map = bytes ? ParseSlamMap(*bytes) : std::nullopt;
   if (!map) return Problem{file + ": the map is damaged"};
   return *std::move(map);
 }

@@ -6,6 +6,7 @@
 #ifndef COPPICE_ROBOT_APP_SLAM_MAP_SLAM_MAP_FILE_H_
 #define COPPICE_ROBOT_APP_SLAM_MAP_SLAM_MAP_FILE_H_
 
+#include <optional>
 #include <string>
 
 #include "bt_core/base/outcome.h"
@@ -30,6 +31,10 @@ Expected<LoadedMap> LoadSlamMap(const std::string& folder);
 
 /// The same of one file, whatever its name.
 Expected<SlamMap> ReadSlamMap(const std::string& file);
+
+/// What is in a file, unpacked; nothing if the bytes are no map. Takes any bytes.
+std::optional<SlamMap> ParseSlamMap(const std::string& bytes);
+std::string BytesOf(const SlamMap& map);
 
 }  // namespace coppice::robot::slam
 

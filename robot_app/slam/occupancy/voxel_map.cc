@@ -29,6 +29,8 @@ GridFrame FrameOf(const octomap::OcTree& tree, const HeightBand& band) {
   GridFrame frame;
   frame.resolution = tree.getResolution();
   if (low_x > high_x) return frame;
+  const double cells = (high_x - low_x) / frame.resolution * ((high_y - low_y) / frame.resolution);
+  if (cells > VoxelMap::kMostCells) return frame;
   frame.origin_x = low_x;
   frame.origin_y = low_y;
   frame.width = static_cast<int>(std::lround((high_x - low_x) / frame.resolution));

@@ -38,6 +38,8 @@ class VoxelMap {
   VoxelMap& operator=(VoxelMap&&) noexcept;
   ~VoxelMap();
 
+  static constexpr double kMostCells = 20e6;  ///< of a grid: 450 m by 450 m at 0.1 m
+
   /// `points` and the sensor are given in base_link, which was at `pose`. Between the sensor and a
   /// point it is free; points farther than `range` [m] say that it is free up to there. Some 30 ms
   /// for a turn of the lidar indoors.
@@ -45,7 +47,8 @@ class VoxelMap {
            const Eigen::Vector3d& sensor, double range);
 
   /// Seen from above: a cell is occupied if a voxel of the band is, free if one is free and none is
-  /// occupied, else unknown. Only cells that are known are inside; empty if there are none.
+  /// occupied, else unknown. Only cells that are known are inside; empty if there are none, or if
+  /// they lie so far apart that the grid would have more than kMostCells.
   OccupancyGrid Project(const HeightBand& band = {}) const;
 
   /// Of the voxels.

@@ -1,21 +1,38 @@
 #include "robot_app/speech/mouth/mouth.h"
 
 #include <algorithm>
+#include <exception>
+#include <functional>
 
 namespace coppice::robot::speech {
 namespace {
+
+constexpr const char* kTooMuch = "too much waits to be said";
 
 template <class Future>
 bool IsReady(const Future& future) {
   return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
+// A sound that there is no memory for, or whatever else goes wrong, does not end the program.
+Expected<Speech> Made(const Synthesize& synthesize, const std::string& text,
+                      const std::string& language) {
+  try {
+    return synthesize(text, language);
+  } catch (const std::exception& error) {
+    return Problem{std::string("the sound cannot be made: ") + error.what()};
+  }
+}
+
 }  // namespace
 
 void Mouth::Add(Saying saying) {
-  if (sayings_.size() > kMostWaiting) {
-    events_.push_back({saying.id, MouthEvent::Kind::kFailed, {}, "too much waits to be said"});
+  if (sayings_.size() > kMostWaiting && sayings_.back().priority >= saying.priority) {
+    events_.push_back({saying.id, MouthEvent::Kind::kFailed, {}, kTooMuch});
     return;
+  }
+  if (sayings_.size() > kMostWaiting) {
+    Drop(sayings_.size() - 1, MouthEvent::Kind::kFailed, kTooMuch);
   }
   const bool is_more_urgent = !sayings_.empty() && saying.priority > sayings_.front().priority;
   if (is_more_urgent) {
@@ -46,14 +63,16 @@ std::vector<MouthEvent> Mouth::Update() {
                    abandoned_.end());
   if (making_.valid() && IsReady(making_)) Synthesized();
   if (is_playing_) Follow();
+  if (!making_.valid() && !is_playing_) Begin();
   return std::exchange(events_, {});
 }
 
-// Makes the sound of the first one.
+// Makes the sound of the first one, if not too many others are still being made: then Update does.
 void Mouth::Begin() {
-  if (sayings_.empty()) return;
+  if (sayings_.empty() || abandoned_.size() >= kMostAbandoned) return;
   const Saying& saying = sayings_.front();
-  making_ = std::async(std::launch::async, synthesize_, saying.text, saying.language);
+  making_ =
+      std::async(std::launch::async, &Made, std::cref(synthesize_), saying.text, saying.language);
 }
 
 void Mouth::Stop() {

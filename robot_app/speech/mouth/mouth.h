@@ -39,8 +39,10 @@ using Synthesize =
 
 class Mouth {
  public:
-  /// At most so many wait; one more has failed.
+  /// At most so many wait; of one more, the least urgent has failed.
   static constexpr std::size_t kMostWaiting = 16;
+  /// So many sounds that nobody waits for any more may still be made: a thread each.
+  static constexpr std::size_t kMostAbandoned = 4;
 
   /// `output` must outlive this.
   Mouth(Synthesize synthesize, SoundOutput& output)

@@ -95,6 +95,7 @@ class Parser {
     if (!layout_.messages.empty()) layout_.messages.back().end = fields;
     numbers_.emplace(type, static_cast<std::uint32_t>(layout_.messages.size()));
     layout_.messages.push_back({type, fields, fields});
+    names_.clear();
   }
 
   Outcome ReadLine(std::string_view line) {
@@ -118,6 +119,7 @@ class Parser {
     MessageField field;
     field.name = name;
     if (!IsName(name)) return Problem{"expected a name, not \"" + field.name + "\""};
+    if (!names_.insert(field.name).second) return Problem{field.name + " is there twice"};
     const Expected<std::string_view> word = TakeCount(line.substr(0, space), field);
     if (!word) return Problem{word.problem()};
     const std::optional<FieldKind> kind = KindOf(*word);
@@ -188,6 +190,7 @@ class Parser {
   std::vector<std::string> words_;  // of each field: the type that is a message, or empty
   std::map<std::string, std::uint32_t> numbers_;
   std::set<std::uint32_t> measured_;
+  std::set<std::string> names_;  // of the fields of the message that is being read
   int line_ = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "robot_app/storage/spool/schema.h"
@@ -10,6 +12,7 @@
 namespace coppice::robot::storage {
 namespace {
 
+constexpr int kDamaged = 11;             // SQLITE_CORRUPT
 constexpr int kPatience = 1000;          // ms, with another program
 constexpr int kGivenUpAtOnce = 50;       // documents, when there is no room
 constexpr int kFreePages = 4096;         // that are kept in the file when it has become empty
@@ -37,6 +40,15 @@ void Make(SQLite::Database& database) {
   transaction.commit();
 }
 
+// What its log holds is of the damaged file and goes with it.
+bool PutAside(const std::string& path) {
+  std::error_code error;
+  for (const char* const part : {"-wal", "-shm", ""}) {
+    std::filesystem::rename(path + part, path + ".damaged" + part, error);
+  }
+  return !error;
+}
+
 }  // namespace
 
 Spool::Spool(std::unique_ptr<SQLite::Database> database, const SpoolLimits& limits)
@@ -45,22 +57,35 @@ Spool::~Spool() = default;
 
 Expected<std::unique_ptr<Spool>> Spool::Open(const std::string& path, const SpoolLimits& limits) {
   try {
-    auto database = std::make_unique<SQLite::Database>(
-        path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience);
-    database->exec("PRAGMA locking_mode = EXCLUSIVE");  // two writers would send everything twice
-    if (IsEmpty(*database)) Make(*database);
-    if (database->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
-      return Problem{path + ": a database of another program"};
-    }
-    if (database->execAndGet("PRAGMA user_version").getInt() != kSchemaVersion) {
-      return Problem{path + ": a spool of another version of Coppice; send it with that, first"};
-    }
-    std::unique_ptr<Spool> spool(new Spool(std::move(database), limits));
-    spool->Prepare();
+    return OpenWhole(path, limits);
+  } catch (const SQLite::Exception& error) {
+    const bool is_damaged = error.getErrorCode() == kDamaged && PutAside(path);
+    if (!is_damaged) return Problem{path + ": " + error.what()};
+  }
+  try {
+    auto spool = OpenWhole(path, limits);
+    if (spool) (*spool)->has_replaced_ = true;
     return spool;
   } catch (const SQLite::Exception& error) {
     return Problem{path + ": " + error.what()};
   }
+}
+
+Expected<std::unique_ptr<Spool>> Spool::OpenWhole(const std::string& path,
+                                                  const SpoolLimits& limits) {
+  auto database = std::make_unique<SQLite::Database>(
+      path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience);
+  database->exec("PRAGMA locking_mode = EXCLUSIVE");  // two writers would send everything twice
+  if (IsEmpty(*database)) Make(*database);
+  if (database->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
+    return Problem{path + ": a database of another program"};
+  }
+  if (database->execAndGet("PRAGMA user_version").getInt() != kSchemaVersion) {
+    return Problem{path + ": a spool of another version of Coppice; send it with that, first"};
+  }
+  std::unique_ptr<Spool> spool(new Spool(std::move(database), limits));
+  spool->Prepare();
+  return spool;
 }
 
 void Spool::Prepare() {

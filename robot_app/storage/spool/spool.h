@@ -52,12 +52,16 @@ struct Backlog {
 
 class Spool {
  public:
-  /// Makes the file if it is missing. A problem if it is of another program, or in use by one.
+  /// Makes the file if it is missing. One that SQLite finds damaged takes the name PATH.damaged,
+  /// and a new one is begun. A problem if it is of another program, or in use by one.
   static Expected<std::unique_ptr<Spool>> Open(const std::string& path, const SpoolLimits& limits);
   ~Spool();
 
   /// A random name, made with the file: a new file begins to count anew, under another name.
   const std::string& name() const { return name_; }
+
+  /// Whether another one was damaged, and lies beside it.
+  bool has_replaced() const { return has_replaced_; }
 
   /// In one transaction, with what was lost before it got here. Makes room first, if need be.
   void Add(const std::vector<Document>& documents, const std::vector<Loss>& losses = {});
@@ -71,6 +75,8 @@ class Spool {
   Backlog Look() const;
 
  private:
+  static Expected<std::unique_ptr<Spool>> OpenWhole(const std::string& path,
+                                                    const SpoolLimits& limits);
   explicit Spool(std::unique_ptr<SQLite::Database> database, const SpoolLimits& limits);
   void Prepare();
   std::uint64_t UsedBytes() const;
@@ -83,6 +89,7 @@ class Spool {
   mutable std::mutex mutex_;
   std::unique_ptr<SQLite::Database> database_;
   std::string name_;
+  bool has_replaced_ = false;
   std::int64_t documents_ = 0;
   mutable std::map<std::int64_t, std::shared_ptr<const MessageType>> types_;  // that were read
 };

@@ -298,6 +298,26 @@ def test_a_coroutine_that_raises_fails_with_its_traceback():
     assert "await" not in leaf.message and leaf.message.endswith("ValueError: no such place")
 
 
+def test_a_coroutine_that_ends_the_program_ends_its_tree_and_no_other_coroutine():
+    class Ends(AsyncAction):
+        async def run(self):
+            raise SystemExit(3)
+
+    with pytest.raises(SystemExit):
+        LeafHarness(Ends).tick_until_done()
+    assert LeafHarness(Wait).tick_until_done() == SUCCESS
+
+
+def test_a_run_that_is_no_coroutine_fails_and_says_so():
+    class Plain(AsyncAction):
+        def run(self):
+            return SUCCESS
+
+    leaf = LeafHarness(Plain)
+    assert leaf.tick() == FAILURE
+    assert "expected async def run" in leaf.message
+
+
 def test_a_misspelt_output_is_no_attribute():
     class Near(SyncAction):
         distance: Output[float]

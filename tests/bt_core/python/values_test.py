@@ -54,6 +54,12 @@ def test_a_value_of_another_type_is_refused(annotation, value, told):
         through(annotation, value)
 
 
+def test_a_time_of_centuries_is_refused():
+    for value in (datetime.timedelta.max, datetime.timedelta.min):
+        with pytest.raises(ValueError, match="is more than a duration can be"):
+            through(datetime.timedelta, value)
+
+
 def test_a_number_that_does_not_fit_is_refused():
     with pytest.raises(ValueError, match="2147483648 does not fit into int"):
         through(int, 2 ** 31)

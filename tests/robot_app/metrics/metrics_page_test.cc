@@ -39,6 +39,14 @@ TEST(MetricsPage, HasNothingElse) {
   }
 }
 
+// A name server of somebody else can say so of its own name, for the pages of a browser here.
+TEST(MetricsPage, IsNotForANameThatMeansThisComputer) {
+  const MetricsPage page({}, [] { return kText; });
+  WebCaller caller(page.port());
+  EXPECT_THAT(caller.Ask("GET /metrics HTTP/1.1\r\nHost: evil.example:9100\r\n\r\n"),
+              StartsWith("HTTP/1.1 403"));
+}
+
 TEST(MetricsPage, WantsItsToken) {
   MetricsPageOptions options;
   options.token = "abc";

@@ -63,6 +63,24 @@ TEST_F(AnswersFile, OnlyWholeSetsOfMarksAreTakenFromThePage) {
   }
 }
 
+TEST_F(AnswersFile, AnswersThatCannotBeReadAreLeftAsTheyAre) {
+  const auto keeps = [&](const std::string& text) {
+    std::ofstream(path_) << text;
+    const bool is_added = AddAnswers(path_, questions_, {1, 0, 5}).ok();
+    std::ifstream file(path_);
+    return !is_added && std::string(std::istreambuf_iterator<char>(file), {}) == text;
+  };
+  EXPECT_TRUE(keeps("other,questions\n1,2\n"));
+  EXPECT_TRUE(keeps("mood_1,mood_2,look_1\n" + std::string(std::size_t{5} << 20, '\n')));
+}
+
+TEST_F(AnswersFile, ARowBeginsInALineOfItsOwn) {
+  std::ofstream(path_) << "mood_1,mood_2,look_1\n1,2,3";
+  ASSERT_TRUE(AddAnswers(path_, questions_, {4, 4, 4}));
+  EXPECT_THAT(ReadAnswers(path_, questions_, diagnostics_),
+              ElementsAre(Marks{1, 2, 3}, Marks{4, 4, 4}));
+}
+
 TEST_F(AnswersFile, ADiskThatCannotBeWrittenIsAProblem) {
   EXPECT_FALSE(AddAnswers(folder_.Path("none/answers.csv"), questions_, {1, 2, 3}));
 }

@@ -154,6 +154,17 @@ TEST_F(TabletDeskTest, ShowsWhatWasAnsweredToSomebodyWhoSpoke) {
   EXPECT_FALSE(Call({{"do", "state"}, {"said", 2}}).contains("said"));
 }
 
+TEST_F(TabletDeskTest, ShowsTheRestWhenATopicSaysWhatIsNoText) {
+  desk_->ChangeView([](TabletView& view) {
+    view.outcome = "\xff\xfe";
+    view.said = {knowledge::AnswerMood::kAnswered, "\xc3", "\x80", false};
+    ++view.said_number;
+  });
+  const json state = Call({{"do", "state"}});
+  EXPECT_FALSE(state.contains("error"));
+  EXPECT_EQ(state["said"]["text"], "\uFFFD");
+}
+
 TEST_F(TabletDeskTest, TellsTheWalls) {
   OccupancyGrid grid;
   grid.frame.width = 3;

@@ -128,6 +128,17 @@ TEST_F(ClientExtensionTest, GivesUpARobotThatDoesNotAnswerAnyMore) {
   EXPECT_NE(session_.failure(), "");
 }
 
+TEST_F(ClientExtensionTest, KeepsARobotWhenItWasHeldUpItself) {
+  Connect();
+  session_.OnTime(1500ms);
+  session_.OnTime(60s);  // the computer slept
+  EXPECT_EQ(session_.failure(), "");
+  for (const Duration now : {61s, 62s}) session_.OnTime(now);
+  EXPECT_EQ(session_.failure(), "");
+  session_.OnTime(63s);
+  EXPECT_NE(session_.failure(), "");
+}
+
 TEST_F(ClientExtensionTest, HandsRepliesToThoseWhoAsked) {
   Connect();
   LiveReply got = Problem{"none yet"};

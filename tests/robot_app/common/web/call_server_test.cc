@@ -67,6 +67,25 @@ TEST_F(CallServerTest, AnotherPageCannotCall) {
   EXPECT_THAT(Calls(), IsEmpty());
 }
 
+// Whoever owns a name can let it mean the robot; a browser then takes his page for the robot's own.
+TEST_F(CallServerTest, APageUnderANameOfTheWorldCannotCallUnlessItIsTheRobots) {
+  const auto call = [](std::uint16_t port, const std::string& host) {
+    return PageCaller(port).Request("POST /call HTTP/1.1\r\nHost: " + host + "\r\nOrigin: http://" +
+                                    host + "\r\nContent-Length: 2\r\n\r\n{}");
+  };
+  const CallServer named(
+      {"127.0.0.1", 0, SourceFolder() + "/robot_app/questionnaire/www", "sobi.institute.example"},
+      [](const std::string&) { return "{}"; });
+  for (const char* const host : {"evil.example:8091", "127.0.0.1.nip.example", ":8091", ""}) {
+    EXPECT_THAT(call(server_.port(), host), StartsWith("HTTP/1.1 403")) << host;
+    EXPECT_THAT(call(named.port(), host), StartsWith("HTTP/1.1 403")) << host;
+  }
+  EXPECT_THAT(call(named.port(), "sobi.institute.example:8091"), StartsWith("HTTP/1.1 200"));
+  for (const char* const host : {"10.0.0.2:8091", "[::1]:8091", "sobi.local", "sobi"}) {
+    EXPECT_THAT(call(server_.port(), host), StartsWith("HTTP/1.1 200")) << host;
+  }
+}
+
 // What the supervisors' page and the live view answer to is not here.
 TEST_F(CallServerTest, NoWayLeadsToTheSupervisorsPageOrToTheTrees) {
   for (const char* const target : {"/login", "/logout", "/live", "/", "/call/../login", "/setup"}) {

@@ -110,6 +110,20 @@ TEST_F(Network, OfAnotherNumberOfClassesThanNamedIsAProblem) {
       << ProblemOf();
 }
 
+// OpenCV divides by these numbers, or looks for layers where there are none.
+TEST_F(Network, AtWhichOpenCvCrashesIsAProblem) {
+  const std::string net = "[net]\nwidth=64\nheight=64\nchannels=3\n\n";
+  for (const std::string layer :
+       {"[convolutional]\nfilters=6\nsize=0\nstride=0\npad=0\n", "[maxpool]\nsize=0\nstride=0\n",
+        "[reorg]\nstride=0\n", "[upsample]\nstride=0\n", "[route]\nlayers=-70\n",
+        "[shortcut]\nfrom=-70\n", "[convolutional]\ngroups=0\nfilters=6\nsize=1\nstride=1\n",
+        "[yolo]\nmask=0,9,99\nanchors=16\nclasses=-1\nnum=0\n"}) {
+    Write(files_.config, net + layer);
+    EXPECT_NE(ProblemOf().find("red.weights: OpenCV cannot run it"), std::string::npos)
+        << layer << ProblemOf();
+  }
+}
+
 class OnnxNetwork : public Network, public testing::WithParamInterface<bool> {
  protected:
   void SetUp() override {

@@ -50,6 +50,24 @@ class SlamMapFileTest : public testing::Test {
   const std::string maps_ = folder_.Path("maps");
 };
 
+TEST_F(SlamMapFileTest, ASessionThatHadSeenNothingIsForgotten) {
+  SlamMap map = SmallMap();
+  map.names.push_back({"wednesday", 0});
+  ASSERT_EQ(ParseSlamMap(BytesOf(map))->names.size(), 2u);
+  EXPECT_TRUE(ParseSlamMap(BytesOf({{}, {}, {}, map.names}))->names.empty());
+}
+
+TEST_F(SlamMapFileTest, SessionsFollowEachOther) {
+  SlamMap map = SmallMap();
+  map.names.resize(10);
+  for (const std::uint32_t second : {2U, 9U, 10U}) {
+    map.sessions = {0, 0, 1, second};
+    EXPECT_EQ(ParseSlamMap(BytesOf(map)).has_value(), second == 2) << second;
+  }
+  map.sessions = {1, 1, 1, 1};
+  EXPECT_FALSE(ParseSlamMap(BytesOf(map)));
+}
+
 TEST_F(SlamMapFileTest, WhatWasSavedIsReadAsItWas) {
   ASSERT_TRUE(SaveSlamMap(maps_, SmallMap()));
   const auto loaded = LoadSlamMap(maps_);

@@ -51,6 +51,15 @@ TEST(VoxelMap, PointsBeyondTheRangeOnlySayThatItIsFree) {
   EXPECT_EQ(At(grid, 1.5, 0), 0);
 }
 
+TEST(VoxelMap, ThereIsNoGridForWhatLiesKilometresApart) {
+  VoxelMap map(0.1);
+  Pose3 far = Pose3::Identity();
+  far.translation() << 3000, 3000, 0;
+  map.Add(WallAndTable(), Pose3::Identity(), kSensor, 10);
+  map.Add(WallAndTable(), far, kSensor, 10);
+  EXPECT_EQ(map.Project().frame.size(), 0);
+}
+
 TEST(VoxelMap, TheMapIsWhereTheRobotWas) {
   VoxelMap map(0.1);
   Pose3 pose = Pose3::Identity();

@@ -2,8 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <chrono>
+#include <future>
 #include <map>
+#include <new>
 #include <thread>
 
 #include "robot_app/speech/sound/wav_file.h"
@@ -130,6 +133,49 @@ TEST_F(MouthTest, WhatTheVoiceCannotSayHasFailedAndTheNextIsSaid) {
 TEST_F(MouthTest, TooMuchAtOnceHasFailed) {
   for (int id = 1; id <= 18; ++id) mouth_.Add({id, "word", "en", 0});
   EXPECT_EQ(EndOf(18).kind, MouthEvent::Kind::kFailed);
+}
+
+TEST_F(MouthTest, WhatIsUrgentIsSaidHoweverMuchWaits) {
+  for (int id = 1; id <= 40; ++id) mouth_.Add({id, "word", "en", 0});
+  mouth_.Add({41, "Careful!", "en", 200});
+  EXPECT_EQ(EndOf(41).kind, MouthEvent::Kind::kPlayed);
+}
+
+TEST_F(MouthTest, AVoiceThatThrowsHasFailed) {
+  Mouth mouth(
+      [](const std::string&, const std::string&) -> Expected<Speech> { throw std::bad_alloc(); },
+      output_);
+  mouth.Add({1, "word", "en", 0});
+  std::vector<MouthEvent> events;
+  while (std::chrono::steady_clock::now() < deadline_ && events.empty()) events = mouth.Update();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, MouthEvent::Kind::kFailed);
+}
+
+// Each more urgent than the one before: none of their sounds is waited for.
+TEST_F(MouthTest, FewSoundsAreMadeAtOnceHoweverOftenItIsInterrupted) {
+  std::atomic<int> at_work{0}, most{0};
+  std::promise<void> go_on;
+  const std::shared_future<void> waits = go_on.get_future().share();
+  {
+    Mouth mouth(
+        [&](const std::string&, const std::string&) -> Expected<Speech> {
+          const int now = ++at_work;
+          if (now > most) most = now;
+          waits.wait();
+          --at_work;
+          return Problem{"nothing"};
+        },
+        output_);
+    for (int id = 1; id <= 200; ++id) mouth.Add({id, "word", "en", id});
+    std::size_t failed = 0;
+    go_on.set_value();
+    while (std::chrono::steady_clock::now() < deadline_ && mouth.speaks()) {
+      failed += mouth.Update().size();
+    }
+    EXPECT_EQ(failed, 200u);
+  }
+  EXPECT_LE(most, static_cast<int>(Mouth::kMostAbandoned) + 1);
 }
 
 }  // namespace

@@ -33,6 +33,15 @@ TEST(WavFile, AFileThatIsNoneIsAProblemWithItsName) {
   EXPECT_EQ(ParseWav("{\"error\": 1}").problem(), "expected a WAV file");
 }
 
+TEST(WavFile, NoOtherKindOfSoundIsRead) {
+  const std::string samples(1000, 'x');
+  const std::string aiff =
+      std::string("FORM\0\0\4\0AIFFCOMM\0\0\0\x12\0\1\0\0\1\0\0\x10", 28) + samples;
+  EXPECT_EQ(ParseWav(aiff).problem(), "expected a WAV file");
+  EXPECT_EQ(ParseWav("OggS" + samples).problem(), "expected a WAV file");
+  EXPECT_EQ(ParseWav("RIFF").problem(), "expected a WAV file");
+}
+
 TEST(WavFile, AFileThatClaimsAnHourIsRefused) {
   std::string bytes = WavOf({8000, std::vector<std::int16_t>(8000 * 121)});
   EXPECT_EQ(ParseWav(bytes).problem(), "expected at most 120 s");

@@ -59,6 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"int32[2 x", "a/B: line 1: expected a \"]\""},
                     Wrong{"int32[-2] x", "a/B: line 1: expected the length of an array"},
                     Wrong{"int32[5000000000] x", "a/B: line 1: expected the length of an array"},
+                    Wrong{"int32 a\nint8 a", "a/B: line 2: a is there twice"},
                     Wrong{"C c", "a/B: there is no definition of C"},
                     Wrong{"MSG: a/B", "a/B: line 1: a/B is defined twice"},
                     Wrong{"B b", "a/B is nested too deep"}));

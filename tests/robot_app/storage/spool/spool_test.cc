@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::storage {
@@ -135,6 +138,27 @@ TEST_F(SpoolTest, AddsLossesUp) {
 TEST_F(SpoolTest, IsOfOneProgramAtATime) {
   const auto spool = Open();
   EXPECT_NE(Spool::Open(folder_.Path("spool.db"), {}).problem().find("locked"), std::string::npos);
+}
+
+// Of a disk that fails: the head of the file is there, what is in it is not.
+TEST_F(SpoolTest, PutsADamagedSpoolAsideAndBeginsAnew) {
+  const std::string path = folder_.Path("spool.db");
+  auto spool = Open();
+  for (int i = 0; i < 200; ++i) spool->Add({Make(std::string(1000, 'x'))});
+  const std::string name = spool->name();
+  spool.reset();
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(4096);
+  file << std::string(std::filesystem::file_size(path) - 4096, '\xa5');
+  file.close();
+  spool = Open();
+  EXPECT_TRUE(spool->has_replaced());
+  EXPECT_NE(spool->name(), name);
+  EXPECT_TRUE(std::filesystem::exists(path + ".damaged"));
+  spool->Add({Make("1")});
+  EXPECT_THAT(Jsons(*spool), ElementsAre("1"));
+  spool.reset();
+  EXPECT_FALSE(Open()->has_replaced());
 }
 
 TEST_F(SpoolTest, LeavesFilesOfOthersAlone) {
