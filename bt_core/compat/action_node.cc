@@ -5,7 +5,7 @@
 namespace BT {
 
 NodeStatus SyncActionNode::executeTick() {
-  const NodeStatus status = ActionNodeBase::executeTick();
+  const NodeStatus status = TickAsItself();
   if (status != NodeStatus::RUNNING) return status;
   throw LogicError("SyncActionNode MUST never return RUNNING");
 }

@@ -19,6 +19,11 @@ void Put(std::ostream& out, std::uint64_t number) {
   out.write(bytes.data(), size);
 }
 
+const std::filesystem::path& WithExtension(const std::filesystem::path& path) {
+  if (path.extension() == ".btlog") return path;
+  throw RuntimeError("FileLogger2: the file extension must be [.btlog]");
+}
+
 std::uint64_t Microseconds(Duration duration) {
   return static_cast<std::uint64_t>(
       std::chrono::duration_cast<std::chrono::microseconds>(duration).count());
@@ -32,6 +37,9 @@ struct FileLogger2::Pimpl {
 };
 
 FileLogger2::FileLogger2(const Tree& tree, const std::filesystem::path& filepath)
+    : FileLogger2(tree, WithExtension(filepath), AnyName()) {}
+
+FileLogger2::FileLogger2(const Tree& tree, const std::filesystem::path& filepath, AnyName)
     : _p(std::make_unique<Pimpl>()) {
   _p->file.open(filepath, std::ios::binary | std::ios::trunc);
   if (!_p->file) throw RuntimeError("problem opening file in FileLogger2: ", filepath.string());
@@ -42,6 +50,7 @@ FileLogger2::FileLogger2(const Tree& tree, const std::filesystem::path& filepath
   _p->file << xml;
   _p->start = Microseconds(std::chrono::system_clock::now().time_since_epoch());
   Put<8>(_p->file, _p->start);
+  _p->file.flush();
   subscribeToTreeChanges(tree.rootNode());
 }
 

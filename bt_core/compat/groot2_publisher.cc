@@ -12,11 +12,23 @@ struct Groot2Publisher::PImpl {
   coppice::LivePublisher publisher;
 };
 
-Groot2Publisher::Groot2Publisher(const Tree& tree, unsigned server_port) {
+Groot2Publisher::Groot2Publisher(const Tree& tree, unsigned server_port)
+    : executor_(tree.run().executor()), port_(static_cast<std::uint16_t>(server_port)) {
+  Open();
+}
+
+void Groot2Publisher::setMaxHeartbeatDelay(std::chrono::milliseconds delay) {
+  delay_ = delay;
+  Open();
+}
+
+void Groot2Publisher::Open() {
+  _p.reset();  // the ports are wanted again
   coppice::LiveOptions options;
-  options.port = static_cast<std::uint16_t>(server_port);
+  options.port = port_;
+  options.deadline = delay_;
   try {
-    _p = std::make_unique<PImpl>(tree.run().executor(), options);
+    _p = std::make_unique<PImpl>(executor_, options);
   } catch (const std::exception& error) {
     throw RuntimeError(error.what());
   }

@@ -21,6 +21,7 @@ void StatusChangeLogger::subscribeToTreeChanges(TreeNode* root_node) {
           Pass(time, changed, before, status);
         }));
   });
+  tick_end_ = root_node->SubscribeToTickEnd([this] { tickEnded(); });
 }
 
 void StatusChangeLogger::Pass(TimePoint time, const TreeNode& node, NodeStatus before,

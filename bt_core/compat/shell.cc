@@ -33,15 +33,25 @@ class ShellPorts {
   std::deque<ShellPort> ports_;
 };
 
-Status TickFilling(const Filling& filling, bool starting) {
-  const NodeStatus before = starting ? NodeStatus::IDLE : NodeStatus::RUNNING;
-  return static_cast<Status>(TreeRun::TickNode(*filling.node, before));
+// The node is read from the shell each time, rather than kept meanwhile: that costs less.
+template <class Shell>
+[[gnu::always_inline]] inline Status TickShell(Shell& shell, bool starting) {
+  TreeRun::Enter(*shell.filling.node, starting ? NodeStatus::IDLE : NodeStatus::RUNNING);
+  NodeStatus result;
+  try {
+    result = TreeRun::TickEntered(*shell.filling.node);
+  } catch (...) {
+    TreeRun::Leave(*shell.filling.node);
+    throw;
+  }
+  TreeRun::Leave(*shell.filling.node);
+  return static_cast<Status>(result);
 }
 
 class LeafShell final : public coppice::Leaf {
  public:
   explicit LeafShell(const Declarations& declarations) : ports_(declarations) {}
-  Status Tick(bool starting) override { return TickFilling(filling, starting); }
+  Status Tick(bool starting) override { return TickShell(*this, starting); }
   void Halt() override { filling.run->HaltNode(*filling.node); }
 
   Filling filling;
@@ -53,7 +63,7 @@ class LeafShell final : public coppice::Leaf {
 class ControlShell final : public coppice::UserControl {
  public:
   explicit ControlShell(const Declarations& declarations) : ports_(declarations) {}
-  Status Tick(coppice::Children&, bool starting) override { return TickFilling(filling, starting); }
+  Status Tick(coppice::Children&, bool starting) override { return TickShell(*this, starting); }
   void OnHalted() override { filling.run->HaltNode(*filling.node); }
 
   Filling filling;
@@ -62,14 +72,19 @@ class ControlShell final : public coppice::UserControl {
   ShellPorts ports_;
 };
 
+[[gnu::noinline]] Status IdleOrSkipped(LeafShell& shell, Status result) {
+  if (result == Status::kIdle) throw std::logic_error("returned IDLE, which no node may");
+  shell.host().KeepSkipped();
+  return result;
+}
+
 // As Registry::TickVirtually, without its virtual call.
 Status TickLeafShell(coppice::UserNode& node, Status before) {
   auto& shell = static_cast<LeafShell&>(node);
   bool starting = before != Status::kRunning;
-  if (starting && node.host().keeps_skipped_nodes()) starting = !node.host().ResumeSkipped();
-  const Status result = shell.Tick(starting);
-  if (result == Status::kIdle) throw std::logic_error("returned IDLE, which no node may");
-  if (result == Status::kSkipped) node.host().KeepSkipped();
+  if (starting && shell.host().keeps_skipped_nodes()) starting = !shell.host().ResumeSkipped();
+  const Status result = TickShell(shell, starting);
+  if (result == Status::kIdle || result == Status::kSkipped) return IdleOrSkipped(shell, result);
   return result;
 }
 

@@ -9,8 +9,6 @@
 namespace BT {
 namespace {
 
-constexpr int kMostPending = 1000;
-
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
 [[noreturn]] void Throw(sqlite3* db) { throw RuntimeError("SqliteLogger: ", sqlite3_errmsg(db)); }
@@ -116,8 +114,7 @@ void SqliteLogger::callback(Duration timestamp, const TreeNode& node, NodeStatus
   sqlite3_bind_int(insert_, 5, static_cast<int>(status));
   BindText(insert_, 6, extra_ ? extra_(timestamp, node, prev_status, status) : std::string());
   Step(db_, insert_);
-  const bool is_end = node.UID() == 1 && status == NodeStatus::IDLE;
-  if (++pending_ == kMostPending || is_end) flush();
+  ++pending_;
 }
 
 void SqliteLogger::execSqlStatement(std::string statement) { Execute(db_, statement.c_str()); }

@@ -191,15 +191,14 @@ std::vector<PortLink> TreeMaker::LinksOf(NodeIndex node, const TreeNodeManifest*
     const SlotIndex index = program_->ports[program_->FirstPort(node) + k].slot;
     if (index == coppice::kNoSlot) continue;
     const PortInfo& port = manifest->ports.at(declared.name);
-    PortLink link{declared.name, &run_->executor().blackboard()[index],
-                  cells_[static_cast<std::size_t>(index)],
-                  port.direction() != PortDirection::OUTPUT,
-                  port.direction() != PortDirection::INPUT};
-    if (!link.cell) {
-      ReadLiteral(node, declared.name, port, run_->executor().blackboard()[index]);
-    } else if (link.cell->slot != link.slot) {
-      link.cell = nullptr;  // another tree has the key: this one writes its own copy
-    }
+    const bool reads = port.direction() != PortDirection::OUTPUT;
+    const bool writes = port.direction() != PortDirection::INPUT;
+    coppice::Slot& slot = run_->executor().blackboard()[index];
+    const std::shared_ptr<Cell>& cell = cells_[static_cast<std::size_t>(index)];
+    if (!cell && reads) ReadLiteral(node, declared.name, port, slot);
+    PortLink link{declared.name, reads ? &slot : nullptr, nullptr, {}};
+    // If another tree has the key, this one writes its own copy.
+    if (writes && cell && cell->slot == &slot) link.output = cell;
     links.push_back(std::move(link));
   }
   return links;
@@ -208,9 +207,10 @@ std::vector<PortLink> TreeMaker::LinksOf(NodeIndex node, const TreeNodeManifest*
 // What the XML gives is read once, here.
 void TreeMaker::ReadLiteral(NodeIndex node, const std::string& name, const PortInfo& port,
                             coppice::Slot& slot) {
-  if (port.direction() == PortDirection::OUTPUT) return;
-  if (!port.isStronglyTyped() || !port.converter()) return;
+  if (!port.isStronglyTyped()) return;
   const std::string text = slot.value.Get<std::string>();
+  if (port.enum_reader()) return ReadEnum(port, text, slot);
+  if (!port.converter()) return;
   try {
     slot.value = port.converter()(text).value();
   } catch (const std::exception& error) {
@@ -218,6 +218,14 @@ void TreeMaker::ReadLiteral(NodeIndex node, const std::string& name, const PortI
     throw LogicError(StrCat(at.file, ":", std::to_string(at.line), ":", std::to_string(at.column),
                             ": The port with name \"", name, "\" and value \"", text,
                             "\" can not be converted to ", port.typeName(), ": ", error.what()));
+  }
+}
+
+// A name that scripts do not know yet stays a text: it may be registered before it is read.
+void TreeMaker::ReadEnum(const PortInfo& port, const std::string& text, coppice::Slot& slot) const {
+  try {
+    slot.value = port.enum_reader()(text, making_.enums.get()).value();
+  } catch (const std::exception&) {
   }
 }
 

@@ -44,6 +44,7 @@ class TreeMaker {
   void DeclarePort(const PortInfo& port, Cell& cell, const std::string& key);
   void ReadLiteral(coppice::NodeIndex node, const std::string& name, const PortInfo& port,
                    coppice::Slot& slot);
+  void ReadEnum(const PortInfo& port, const std::string& text, coppice::Slot& slot) const;
   TreeNode::Ptr MakeNode(coppice::NodeIndex node, const NodeConfig& config);
   void JoinToParent(coppice::NodeIndex node, TreeNode& made);
 

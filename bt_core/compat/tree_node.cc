@@ -42,22 +42,15 @@ TreeNode::~TreeNode() = default;
 
 // ---- Ticks.
 
-NodeStatus TreeNode::executeTick() { return IsEngineCalling() ? tick() : TickThroughEngine(); }
+NodeStatus TreeNode::executeTick() { return TickAsItself(); }
 
 NodeStatus TreeNode::TickThroughEngine() {
   if (run_) return run_->TickChild(*this);
   throw LogicError("node [", name_, "] is in no tree: BehaviorTreeFactory::createTree makes one");
 }
 
-NodeStatus TreeNode::TickForEngine(NodeStatus before) {
-  struct Inside {
-    ~Inside() { status.store(kOutside, std::memory_order_relaxed); }
-    std::atomic<NodeStatus>& status;
-  };
-  own_status_.store(before, std::memory_order_relaxed);
-  const Inside inside{own_status_};
-  if (!has_scripts_) return executeTick();
-  const Expected<NodeStatus> decided = AskPreScripts(before);
+NodeStatus TreeNode::TickWithScripts() {
+  const Expected<NodeStatus> decided = AskPreScripts(status());
   const NodeStatus result = decided ? *decided : executeTick();
   RunPostScripts(result);
   return result;
@@ -114,9 +107,7 @@ void TreeNode::haltNode() {
   if (run_) run_->HaltChild(*this);
 }
 
-NodeStatus TreeNode::status() const {
-  const NodeStatus own = own_status_.load(std::memory_order_relaxed);
-  if (own != kOutside) return own;
+NodeStatus TreeNode::StatusInTree() const {
   return run_ ? run_->StatusOf(*this) : NodeStatus::IDLE;
 }
 
@@ -162,6 +153,9 @@ TreeNode::StatusChangeSubscriber TreeNode::subscribeToStatusChange(StatusChangeC
   auto subscriber = Make(callbacks_).changes.subscribe(std::move(callback));
   if (run_) run_->CallsChanged();
   return subscriber;
+}
+Signal<>::Subscriber TreeNode::SubscribeToTickEnd(std::function<void()> callback) {
+  return run_ ? run_->tick_ended().subscribe(std::move(callback)) : nullptr;
 }
 void TreeNode::setPreTickFunction(PreTickCallback callback) {
   Make(callbacks_).pre = std::move(callback);
@@ -214,7 +208,7 @@ void TreeNode::modifyPortsRemapping(const PortsRemapping& new_remapping) {
       if (found != ports->end()) found->second = text;
     }
   }
-  links_.clear();  // looked up by name from now on
+  ports_.Clear();  // looked up by name from now on
 }
 
 TreeNode::Source TreeNode::SourceOf(const std::string& key) const {

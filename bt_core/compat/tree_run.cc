@@ -41,7 +41,7 @@ TreeRun::~TreeRun() {
   for (const TreeNode::Ptr& node : nodes_) {
     node->run_ = nullptr;
     node->gate_ = &NoGate();
-    node->links_.clear();
+    node->ports_.Clear();
   }
 }
 
@@ -72,7 +72,7 @@ void TreeRun::Add(TreeNode::Ptr node, std::vector<PortLink> links) {
   node->run_ = this;
   node->gate_ = &gate_;
   node->index_ = static_cast<std::uint32_t>(nodes_.size());
-  node->links_ = std::move(links);
+  node->ports_.Fill(std::move(links));
   node->FindScripts();
   nodes_.push_back(std::move(node));
 }
@@ -86,9 +86,11 @@ NodeStatus TreeRun::Tick() {
     result = executor_->Tick();
   } catch (const coppice::TickError& error) {
     gate_.Leave();
+    if (is_watched_) tick_ended_.notify();
     RethrowOf(error.node);
   }
   gate_.Leave();
+  if (is_watched_) tick_ended_.notify();
   if (!shared_.empty()) GiveShared();
   return FromEngine(result);
 }
@@ -116,6 +118,7 @@ void TreeRun::Halt() {
   executor_->Halt();
   if (is_watched_ && !nodes_.empty()) ShowIdle(0);
   gate_.Leave();
+  if (is_watched_) tick_ended_.notify();
 }
 
 // What another tree's slot holds is copied, one lock at a time.

@@ -51,6 +51,9 @@ class TreeRun final : public coppice::NodeHooks {
   coppice::Duration UntilNextTick();
   std::shared_ptr<WakeUpSignal> wake_up() const { return wake_up_; }  // any thread
 
+  /// After each tick and halt, while changes are watched.
+  Signal<>& tick_ended() { return tick_ended_; }
+
   coppice::Executor& executor() { return *executor_; }
   const std::vector<TreeNode::Ptr>& nodes() const { return nodes_; }
   Gate& gate() { return gate_; }
@@ -60,8 +63,16 @@ class TreeRun final : public coppice::NodeHooks {
   std::optional<coppice::Status> Before(coppice::NodeIndex node) override;
   std::optional<coppice::Status> After(coppice::NodeIndex node, coppice::Status result) override;
 
-  static NodeStatus TickNode(TreeNode& node, NodeStatus before) {
-    return node.TickForEngine(before);
+  // A tick of a node by the engine. `before`: IDLE in the first one of an activation, RUNNING in
+  // others. Whatever happens, Leave is called after Enter.
+  static void Enter(TreeNode& node, NodeStatus before) {
+    node.own_status_.store(before, std::memory_order_relaxed);
+  }
+  static NodeStatus TickEntered(TreeNode& node) {
+    return node.has_scripts_ ? node.TickWithScripts() : node.executeTick();
+  }
+  static void Leave(TreeNode& node) {
+    node.own_status_.store(TreeNode::kOutside, std::memory_order_relaxed);
   }
   void HaltNode(TreeNode& node);
 
@@ -88,6 +99,7 @@ class TreeRun final : public coppice::NodeHooks {
   std::vector<TreeNode::Ptr> nodes_;
   std::vector<std::shared_ptr<Cell>> own_;
   std::vector<Shared> shared_;
+  Signal<> tick_ended_;
   bool calls_changed_ = false;
   bool is_watched_ = false;  // somebody wants the changes of a node
 };

@@ -9,7 +9,6 @@
 
 #include "behaviortree_cpp/bt_factory.h"
 #include "behaviortree_cpp/json_export.h"
-#include "behaviortree_cpp/loggers/bt_file_logger_v2.h"
 #include "behaviortree_cpp/loggers/bt_minitrace_logger.h"
 #include "behaviortree_cpp/loggers/bt_observer.h"
 #include "behaviortree_cpp/xml_parsing.h"
@@ -177,21 +176,6 @@ TEST(Loggers, AnObserverCounts) {
   EXPECT_EQ(observer.getStatistics("a").failure_count, 2U);
   EXPECT_EQ(observer.getStatistics(1).success_count, 2U);
   EXPECT_EQ(observer.getStatistics(1).transitions_count, 4U);
-}
-
-TEST(Loggers, AFileHoldsAllTransitions) {
-  const std::string path = TempFile("compat.btlog");
-  BT::BehaviorTreeFactory factory;
-  BT::Tree tree = factory.createTreeFromText(Main("<AlwaysSuccess/>"));
-  {
-    BT::FileLogger2 logger(tree, path);
-    tree.tickOnce();
-  }
-  const std::string bytes = ReadAll(path);
-  const std::size_t xml_end = bytes.find("</root>\n") + 8;
-  EXPECT_EQ(bytes.substr(0, 18), "BTCPP4-FileLogger2");
-  EXPECT_EQ(bytes.size() - xml_end, 8U + 2 * 9U);  // to SUCCESS, to IDLE
-  std::filesystem::remove(path);
 }
 
 TEST(Loggers, ATraceIsJson) {

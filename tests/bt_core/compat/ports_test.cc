@@ -126,6 +126,14 @@ TEST_F(Ports, AnUnknownPortIsAnErrorNotAThrow) {
   EXPECT_NE(missing.error().find("no input port [b]"), std::string::npos) << missing.error();
 }
 
+TEST_F(Ports, WhatIsExpectedCanBeCompared) {
+  const BT::Expected<int> seven = 7;
+  const BT::Expected<int> none = nonstd::make_unexpected(std::string("none"));
+  EXPECT_TRUE(seven == 7 && 7 == seven && seven != 8);
+  EXPECT_TRUE(none != 7 && !(none == 7) && none != seven);
+  EXPECT_TRUE(seven == BT::Expected<int>(7) && none == none);
+}
+
 TEST_F(Ports, DefaultsAreValuesTextsAndKeys) {
   std::vector<int> values;
   Register("Go",
@@ -152,6 +160,53 @@ TEST_F(Ports, EnumsAreReadByTheNamesOfScripts) {
   EXPECT_EQ(colour, Colour::kBlue);
   Create("<Sequence><Script code=\"c := kRed\"/><Go colour=\"{c}\"/></Sequence>").tickOnce();
   EXPECT_EQ(colour, Colour::kRed);
+}
+
+TEST_F(Ports, AnEnumsLiteralMayBeANumber) {
+  Colour colour{};
+  Register("Go", {BT::InputPort<Colour>("colour")},
+           [&](BT::TreeNode& node) { colour = node.getInput<Colour>("colour").value(); });
+  Create("<Go colour=\"2\"/>").tickOnce();
+  EXPECT_EQ(colour, Colour::kBlue);
+}
+
+TEST_F(Ports, ANameOfAnEnumCanBeRegisteredAfterTheTreeIsMade) {
+  BT::Expected<Colour> colour;
+  Register("Go", {BT::InputPort<Colour>("colour")},
+           [&](BT::TreeNode& node) { colour = node.getInput<Colour>("colour"); });
+  BT::Tree tree = Create("<Go colour=\"kBlue\"/>");
+  tree.tickOnce();
+  EXPECT_FALSE(colour);
+  factory.registerScriptingEnums<Colour>();
+  tree.tickOnce();
+  EXPECT_EQ(colour.value(), Colour::kBlue);
+}
+
+TEST_F(Ports, ALiteralOfAnEnumIsAlsoReadAsItsText) {
+  factory.registerScriptingEnums<Colour>();
+  std::string text;
+  Register("Go", {BT::InputPort<Colour>("colour")},
+           [&](BT::TreeNode& node) { text = node.getInput<std::string>("colour").value(); });
+  Create("<Go colour=\"kBlue\"/>").tickOnce();
+  EXPECT_EQ(text, "kBlue");
+}
+
+TEST_F(Ports, ANumberOfAScriptIsReadAsTheNodeWantsIt) {
+  int whole = 0;
+  uint8_t small = 0;
+  BT::Expected<int> half;
+  Register("Go", {BT::InputPort<int>("n"), BT::InputPort<int>("half")}, [&](BT::TreeNode& node) {
+    whole = node.getInput<int>("n").value();
+    small = node.getInput<uint8_t>("n").value();
+    half = node.getInput<int>("half");
+  });
+  Create(
+      "<Sequence><Script code=\"n := 3.0; half := 0.5\"/><Go n=\"{n}\" half=\"{half}\"/>"
+      "</Sequence>")
+      .tickOnce();
+  EXPECT_EQ(whole, 3);
+  EXPECT_EQ(small, 3);
+  EXPECT_FALSE(half);
 }
 
 TEST_F(Ports, AnEnumThatANodeWritesIsANumberInScripts) {

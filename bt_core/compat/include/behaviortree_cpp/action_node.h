@@ -65,7 +65,10 @@ class ThreadedAction : public ActionNodeBase {
   std::future<NodeStatus> result_;
 };
 #ifdef USE_BTCPP3_OLD_NAMES
-using AsyncActionNode = ThreadedAction;
+class AsyncActionNode : public ThreadedAction {
+ public:
+  using ThreadedAction::ThreadedAction;
+};
 #endif
 
 /// Takes more than one tick, and no thread.

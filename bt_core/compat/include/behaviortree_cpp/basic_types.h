@@ -160,6 +160,43 @@ std::ostream& operator<<(std::ostream& out, const NodeStatus& status);
 std::ostream& operator<<(std::ostream& out, const NodeType& type);
 std::ostream& operator<<(std::ostream& out, const PortDirection& direction);
 
+// ---- Enums.
+
+namespace internal {
+
+using EnumNames = std::unordered_map<std::string, int>;
+
+/// By the names that scripts know (there may be none), as a number, or as convertFromString does.
+template <class T>
+T EnumFromText(StringView text, [[maybe_unused]] const EnumNames* names) {
+  if constexpr (!std::is_same_v<T, NodeStatus>) {
+    if (names) {
+      const auto found = names->find(std::string(text));
+      if (found != names->end()) return static_cast<T>(found->second);
+    }
+    int number = 0;
+    const char* const end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, number);
+    if (parsed.ec == std::errc() && parsed.ptr == end) return static_cast<T>(number);
+  }
+  return convertFromString<T>(text);
+}
+
+using EnumReader = Any (*)(StringView text, const EnumNames* names);
+
+/// Null for a type that is no enum.
+template <class T>
+constexpr EnumReader EnumReaderOf() {
+  if constexpr (std::is_enum_v<T>) {
+    return
+        [](StringView text, const EnumNames* names) { return Any(EnumFromText<T>(text, names)); };
+  } else {
+    return nullptr;
+  }
+}
+
+}  // namespace internal
+
 // ---- Types for the engine.
 
 namespace internal {
@@ -312,10 +349,14 @@ class TypeInfo {
     return type_ != typeid(AnyTypeAllowed) && type_ != typeid(Any) && type_ != typeid(void);
   }
   const StringConverter& converter() const { return converter_; }
+  /// Of an enum, which has no converter.
+  internal::EnumReader enum_reader() const { return enum_reader_; }
+  void set_enum_reader(internal::EnumReader reader) { enum_reader_ = reader; }
 
  private:
   std::type_index type_;
   StringConverter converter_;
+  internal::EnumReader enum_reader_ = nullptr;
   mutable std::string name_;
 };
 
@@ -365,6 +406,7 @@ std::pair<std::string, PortInfo> CreatePort(PortDirection direction, StringView 
                                             StringView description = {}) {
   internal::CheckPortName(name);
   PortInfo info(direction, typeid(T), GetAnyFromStringFunctor<T>());
+  info.set_enum_reader(internal::EnumReaderOf<T>());
   info.setDescription(description);
   return {std::string(name), std::move(info)};
 }

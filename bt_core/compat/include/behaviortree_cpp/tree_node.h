@@ -8,7 +8,6 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +18,7 @@
 
 #include "behaviortree_cpp/basic_types.h"
 #include "behaviortree_cpp/blackboard.h"
+#include "behaviortree_cpp/internal/port_table.h"
 #include "behaviortree_cpp/scripting/script_parser.hpp"
 #include "behaviortree_cpp/utils/signal.h"
 #include "behaviortree_cpp/utils/strcat.hpp"
@@ -80,40 +80,6 @@ namespace internal {
 
 class TreeRun;
 
-/// A port of one node, resolved.
-struct PortLink {
-  std::string name;
-  const coppice::Slot* slot;   // of its key, or of its literal; null: not given
-  std::shared_ptr<Cell> cell;  // of its key
-  bool is_input;
-  bool is_output;
-};
-
-/// Names are short: no call for them.
-inline bool SameName(const std::string& a, StringView b) {
-  const std::size_t size = a.size();
-  if (size != b.size()) return false;
-  if (size < 4 || size > 16) return std::memcmp(a.data(), b.data(), size) == 0;
-  const char* x = a.data();
-  const char* y = b.data();
-  if (size < 8) {
-    std::uint32_t head[2];
-    std::uint32_t tail[2];
-    std::memcpy(&head[0], x, 4);
-    std::memcpy(&head[1], y, 4);
-    std::memcpy(&tail[0], x + size - 4, 4);
-    std::memcpy(&tail[1], y + size - 4, 4);
-    return ((head[0] ^ head[1]) | (tail[0] ^ tail[1])) == 0;
-  }
-  std::uint64_t head[2];
-  std::uint64_t tail[2];
-  std::memcpy(&head[0], x, 8);
-  std::memcpy(&head[1], y, 8);
-  std::memcpy(&tail[0], x + size - 8, 8);
-  std::memcpy(&tail[1], y + size - 8, 8);
-  return ((head[0] ^ head[1]) | (tail[0] ^ tail[1])) == 0;
-}
-
 /// What watches and replaces the ticks of one node.
 struct NodeCallbacks;
 
@@ -139,7 +105,10 @@ class TreeNode {
   /// Halts it if it is RUNNING, and makes it IDLE.
   void haltNode();
   bool isHalted() const { return status() == NodeStatus::IDLE; }
-  NodeStatus status() const;
+  NodeStatus status() const {
+    const NodeStatus own = own_status_.load(std::memory_order_relaxed);
+    return own != kOutside ? own : StatusInTree();
+  }
   /// Waits until the node is not IDLE. Any thread but the ticking one.
   NodeStatus waitValidStatus();
 
@@ -149,6 +118,7 @@ class TreeNode {
   const std::string& fullPath() const { return config_.path; }
   const std::string& registrationName() const { return registration_id_; }
   const NodeConfig& config() const { return config_; }
+  NodeConfig& config() { return config_; }
 
   /// Called at every change of the status, on the ticking thread, while the subscriber lives.
   StatusChangeSubscriber subscribeToStatusChange(StatusChangeCallback callback);
@@ -162,13 +132,10 @@ class TreeNode {
   /// The value of an input port, or why there is none. Any thread.
   template <class T>
   Result getInput(StringView key, T& destination) const {
-    if (const internal::PortLink* link = FindReady(key)) {
-      using Stored = internal::KeptAs<T>;
-      if constexpr (std::is_same_v<Stored, T>) {
-        if (link->slot->value.type() == &internal::TypeFor<T>()) {
-          destination = link->slot->value.template Get<T>();
-          return Result();
-        }
+    if (gate_->is_open()) {
+      const internal::PortLink* const port = ports_.Find(key);
+      if (port && port->input && internal::ReadAsIs(port->input->value, destination)) {
+        return Result();
       }
     }
     return ReadSlowly(key, destination);
@@ -228,12 +195,12 @@ class TreeNode {
 
  protected:
   friend class BehaviorTreeFactory;
+  friend class StatusChangeLogger;
   friend class DecoratorNode;
   friend class ControlNode;
   friend class Tree;
   friend class internal::TreeRun;
 
-  NodeConfig& config() { return config_; }
   /// What the class does. Not to be called by users: see executeTick().
   virtual NodeStatus tick() = 0;
   void resetStatus();
@@ -254,20 +221,11 @@ class TreeNode {
   /// calls: then the answer is TickThroughEngine().
   bool IsEngineCalling() const { return own_status_.load(std::memory_order_relaxed) != kOutside; }
   NodeStatus TickThroughEngine();
+  NodeStatus TickAsItself() { return IsEngineCalling() ? tick() : TickThroughEngine(); }
 
  private:
   friend class internal::TreeRun;
 
-  // The port, if this is the ticking thread and it has a value.
-  const internal::PortLink* FindReady(StringView key) const {
-    if (!gate_->is_open()) return nullptr;
-    for (const internal::PortLink& link : links_) {
-      if (internal::SameName(link.name, key)) {
-        return link.slot && link.is_input ? &link : nullptr;
-      }
-    }
-    return nullptr;
-  }
   template <class T>
   [[gnu::noinline]] Result ReadSlowly(StringView key, T& destination) const {
     const Expected<Timestamp> stamp = getInputStamped(key, destination);
@@ -289,6 +247,9 @@ class TreeNode {
   template <class T>
   T FromText(const PortInfo* info, const std::string& text) const;
 
+  // Called after each tick and halt of the tree.
+  Signal<>::Subscriber SubscribeToTickEnd(std::function<void()> callback);
+
   // Conditions that code has set; those of the XML are the engine's.
   void FindScripts();
   Expected<NodeStatus> AskPreScripts(NodeStatus before);
@@ -297,8 +258,8 @@ class TreeNode {
 
   static constexpr auto kOutside = static_cast<NodeStatus>(-1);  // of a call of the engine
 
-  // Status of the engine's call: IDLE in the first tick of an activation, RUNNING in others.
-  NodeStatus TickForEngine(NodeStatus before);
+  NodeStatus StatusInTree() const;
+  NodeStatus TickWithScripts();
   void HaltForEngine();
   virtual void halt() = 0;
 
@@ -313,23 +274,17 @@ class TreeNode {
   std::uint32_t index_ = 0;
   bool has_scripts_ = false;
   std::atomic<NodeStatus> own_status_{kOutside};  // while the engine calls
-  std::vector<internal::PortLink> links_;
+  internal::PortTable ports_;
   std::unique_ptr<internal::NodeCallbacks, void (*)(internal::NodeCallbacks*)> callbacks_;
 };
 
 template <class T>
 T TreeNode::parseString(const std::string& text) const {
-  if constexpr (std::is_enum_v<T> && !std::is_same_v<T, NodeStatus>) {
-    if (config_.enums) {
-      const auto found = config_.enums->find(text);
-      if (found != config_.enums->end()) return static_cast<T>(found->second);
-    }
-    int number = 0;
-    const char* const end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, number);
-    if (parsed.ec == std::errc() && parsed.ptr == end) return static_cast<T>(number);
+  if constexpr (std::is_enum_v<T>) {
+    return internal::EnumFromText<T>(text, config_.enums.get());
+  } else {
+    return convertFromString<T>(text);
   }
-  return convertFromString<T>(text);
 }
 
 template <class T>
@@ -376,10 +331,9 @@ Expected<Timestamp> TreeNode::getInputStamped(StringView key, T& destination) co
 template <class T>
 Result TreeNode::setOutput(StringView key, const T& value) {
   if (gate_->is_open()) {
-    for (const internal::PortLink& link : links_) {
-      if (!internal::SameName(link.name, key)) continue;
-      if (!link.is_output || !link.cell) break;
-      internal::WriteTo(*link.cell, value, link.name);
+    const internal::PortLink* const port = ports_.Find(key);
+    if (port && port->output) {
+      internal::WriteTo(*port->output, value, port->name);
       return Result();
     }
   }

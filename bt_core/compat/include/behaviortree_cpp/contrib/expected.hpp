@@ -152,4 +152,48 @@ class expected {
   bool has_value_;
 };
 
+template <class T1, class E1, class T2, class E2>
+bool operator==(const expected<T1, E1>& a, const expected<T2, E2>& b) {
+  if (a.has_value() != b.has_value()) return false;
+  return a.has_value() ? *a == *b : a.error() == b.error();
+}
+template <class T1, class E1, class T2, class E2>
+bool operator!=(const expected<T1, E1>& a, const expected<T2, E2>& b) {
+  return !(a == b);
+}
+/// What has no value is less than what has one.
+template <class T, class E>
+bool operator<(const expected<T, E>& a, const expected<T, E>& b) {
+  return b.has_value() && (!a.has_value() || *a < *b);
+}
+template <class T, class E>
+bool operator>(const expected<T, E>& a, const expected<T, E>& b) {
+  return b < a;
+}
+template <class T, class E>
+bool operator<=(const expected<T, E>& a, const expected<T, E>& b) {
+  return !(b < a);
+}
+template <class T, class E>
+bool operator>=(const expected<T, E>& a, const expected<T, E>& b) {
+  return !(a < b);
+}
+/// False without a value.
+template <class T1, class E, class T2>
+bool operator==(const expected<T1, E>& a, const T2& value) {
+  return a.has_value() && *a == value;
+}
+template <class T1, class E, class T2>
+bool operator==(const T2& value, const expected<T1, E>& a) {
+  return a == value;
+}
+template <class T1, class E, class T2>
+bool operator!=(const expected<T1, E>& a, const T2& value) {
+  return !(a == value);
+}
+template <class T1, class E, class T2>
+bool operator!=(const T2& value, const expected<T1, E>& a) {
+  return !(a == value);
+}
+
 }  // namespace nonstd

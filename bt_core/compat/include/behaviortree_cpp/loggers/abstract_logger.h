@@ -39,7 +39,13 @@ class StatusChangeLogger {
  protected:
   StatusChangeLogger() = default;
   void subscribeToTreeChanges(TreeNode* root_node);
-  void unsubscribeFromTreeChanges() { subscribers_.clear(); }
+  void unsubscribeFromTreeChanges() {
+    subscribers_.clear();
+    tick_end_.reset();
+  }
+  /// After each tick and each halt of the tree: what is written to a file should be there now,
+  /// should the program be killed. Ticking thread.
+  virtual void tickEnded() {}
 
  private:
   void Pass(TimePoint time, const TreeNode& node, NodeStatus before, NodeStatus status);
@@ -49,6 +55,7 @@ class StatusChangeLogger {
   TimestampType type_ = TimestampType::absolute;
   TimePoint start_{};
   std::vector<TreeNode::StatusChangeSubscriber> subscribers_;
+  Signal<>::Subscriber tick_end_;
 };
 
 }  // namespace BT

@@ -17,13 +17,18 @@ class FileLogger2 : public StatusChangeLogger {
     uint8_t status;
   };
 
-  /// Throws RuntimeError if the file cannot be written.
+  /// Throws RuntimeError if the name does not end in ".btlog" or the file cannot be written.
   FileLogger2(const Tree& tree, const std::filesystem::path& filepath);
   /// Everything that has happened is in the file afterwards.
   ~FileLogger2() override;
   void callback(Duration timestamp, const TreeNode& node, NodeStatus prev_status,
                 NodeStatus status) override;
   void flush() override;
+
+ protected:
+  void tickEnded() override { flush(); }
+  struct AnyName {};
+  FileLogger2(const Tree& tree, const std::filesystem::path& filepath, AnyName);
 
  private:
   struct Pimpl;

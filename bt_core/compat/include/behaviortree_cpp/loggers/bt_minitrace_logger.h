@@ -18,6 +18,9 @@ class MinitraceLogger : public StatusChangeLogger {
                 NodeStatus status) override;
   void flush() override;
 
+ protected:
+  void tickEnded() override { flush(); }
+
  private:
   std::unique_ptr<FILE, int (*)(FILE*)> file_;
   bool is_first_ = true;

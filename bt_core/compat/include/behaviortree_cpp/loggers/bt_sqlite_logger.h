@@ -31,6 +31,9 @@ class SqliteLogger : public StatusChangeLogger {
   void execSqlStatement(std::string statement);
   void flush() override;
 
+ protected:
+  void tickEnded() override { flush(); }
+
  private:
   void DescribeTree(const Tree& tree);
 

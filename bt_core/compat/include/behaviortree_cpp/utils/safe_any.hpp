@@ -158,6 +158,28 @@ nonstd::expected<T, std::string> Convert(const coppice::Value& value) {
   return nonstd::make_unexpected(CannotConvert(value, typeid(T)));
 }
 
+/// Another kind of number, if nothing is lost. An enumerator is no number here.
+template <class T>
+[[gnu::noinline]] bool ReadNumber(const coppice::Value& value, T& out) {
+  return value.has_value() && !value.type()->enumerators && Fits(NumberOf(value), out);
+}
+
+/// What needs no text and no error; false: Convert() says more.
+template <class T>
+bool ReadAsIs(const coppice::Value& value, T& out) {
+  if constexpr (std::is_same_v<KeptAs<T>, T>) {
+    if (value.type() == &TypeFor<T>()) {
+      out = value.template Get<T>();
+      return true;
+    }
+  }
+  if constexpr (std::is_arithmetic_v<T>) {
+    return ReadNumber(value, out);
+  } else {
+    return false;
+  }
+}
+
 }  // namespace internal
 
 class Any {

@@ -1,5 +1,8 @@
 // Version 3 of behaviortree_cpp/controls/reactive_sequence.h.
 #pragma once
 
-#include "behaviortree_cpp/controls/reactive_sequence.h"
+// The names come first.
+// clang-format off
 #include "behaviortree_cpp_v3/old_names.h"
+#include "behaviortree_cpp/controls/reactive_sequence.h"
+// clang-format on

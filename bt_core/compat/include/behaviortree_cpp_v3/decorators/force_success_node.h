@@ -1,5 +1,8 @@
 // Version 3 of behaviortree_cpp/decorators/force_success_node.h.
 #pragma once
 
-#include "behaviortree_cpp/decorators/force_success_node.h"
+// The names come first.
+// clang-format off
 #include "behaviortree_cpp_v3/old_names.h"
+#include "behaviortree_cpp/decorators/force_success_node.h"
+// clang-format on

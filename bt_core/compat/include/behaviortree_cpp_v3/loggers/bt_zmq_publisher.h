@@ -1,8 +1,11 @@
 // The publisher of version 3. What it speaks is the protocol of Groot2, at `server_port`.
 #pragma once
 
-#include "behaviortree_cpp/loggers/groot2_publisher.h"
+// The names come first.
+// clang-format off
 #include "behaviortree_cpp_v3/old_names.h"
+#include "behaviortree_cpp/loggers/groot2_publisher.h"
+// clang-format on
 
 namespace BT {
 

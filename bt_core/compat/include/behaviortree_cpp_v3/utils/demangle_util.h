@@ -1,5 +1,8 @@
 // Version 3 of behaviortree_cpp/utils/demangle_util.h.
 #pragma once
 
-#include "behaviortree_cpp/utils/demangle_util.h"
+// The names come first.
+// clang-format off
 #include "behaviortree_cpp_v3/old_names.h"
+#include "behaviortree_cpp/utils/demangle_util.h"
+// clang-format on

@@ -1,0 +1,125 @@
+// What Groot2 asks of a program that has a Groot2Publisher, byte by byte.
+#include "behaviortree_cpp/loggers/groot2_publisher.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <zmq.hpp>
+
+#include "behaviortree_cpp/xml_parsing.h"
+#include "tests/bt_core/compat/logged_tree.h"
+#include "tests/bt_core/live/live_client.h"
+
+namespace {
+
+using compat_test::LoggedTree;
+using coppice::Parts;
+
+// A pair of ports that is free now.
+std::uint16_t FreePair() {
+  zmq::context_t context;
+  while (true) {
+    zmq::socket_t first(context, zmq::socket_type::rep);
+    first.bind("tcp://127.0.0.1:*");
+    const std::string endpoint = first.get(zmq::sockopt::last_endpoint);
+    const int port = std::stoi(endpoint.substr(endpoint.rfind(':') + 1));
+    try {
+      zmq::socket_t second(context, zmq::socket_type::rep);
+      second.bind("tcp://127.0.0.1:" + std::to_string(port + 1));
+      return static_cast<std::uint16_t>(port);
+    } catch (const zmq::error_t&) {
+    }
+  }
+}
+
+struct Groot2 : testing::Test {
+  static std::string Header(char kind) { return {'\x02', kind, '\x11', '\x22', '\x33', '\x44'}; }
+  Parts Ask(char kind) {
+    client.Send({Header(kind)});
+    return client.Receive();
+  }
+  Parts Ask(char kind, const std::string& more) {
+    client.Send({Header(kind), more});
+    return client.Receive();
+  }
+  // "node:status ..."; the publisher's thread learns of a tick when it has ended.
+  std::string Statuses() {
+    const std::string payload = Ask('S').at(1);
+    std::string text;
+    for (std::size_t at = 0; at + 3 <= payload.size(); at += 3) {
+      text += std::to_string(payload[at]) + ":" + std::to_string(payload[at + 2]) + " ";
+    }
+    return text;
+  }
+  std::string StatusesAfter(const std::string& before) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    std::string statuses = Statuses();
+    while (statuses == before && std::chrono::steady_clock::now() < deadline) statuses = Statuses();
+    return statuses;
+  }
+
+  LoggedTree logged;
+  const std::uint16_t port = FreePair();
+  BT::Groot2Publisher publisher{logged.tree, port};
+  coppice::SocketClient client{zmq::socket_type::req, port};
+};
+
+TEST_F(Groot2, AReplyBeginsWithTheHeaderOfTheRequestAndTheNumberOfTheTree) {
+  const Parts first = Ask('S');
+  const Parts second = Ask('S');
+  ASSERT_EQ(first.size(), 2U);
+  ASSERT_EQ(first[0].size(), 22U);
+  EXPECT_EQ(first[0].substr(0, 6), Header('S'));
+  EXPECT_EQ(first[0], second[0]);
+}
+
+TEST_F(Groot2, TheWholeTreeComesAsXmlWithNumbers) {
+  const Parts reply = Ask('T');
+  ASSERT_EQ(reply.size(), 2U);
+  for (const char* part : {"<root BTCPP_format=\"4\"", "ID=\"Main\"", "_fullpath=\"inner\"",
+                           "_uid=\"3\"", "<TreeNodesModel>", "ID=\"TwoTicks\""}) {
+    EXPECT_NE(reply[1].find(part), std::string::npos) << part << "\n" << reply[1];
+  }
+}
+
+TEST_F(Groot2, StatusesAreThreeBytesANode) {
+  logged.tree.tickExactlyOnce();
+  EXPECT_EQ(StatusesAfter("1:0 2:0 3:0 4:0 5:0 "), "1:1 2:1 3:1 4:0 5:0 ");
+}
+
+TEST_F(Groot2, WhatANodeDidLastIsSeenAfterItsEnd) {
+  logged.tree.tickExactlyOnce();
+  ASSERT_EQ(StatusesAfter("1:0 2:0 3:0 4:0 5:0 "), "1:1 2:1 3:1 4:0 5:0 ");
+  logged.tree.tickExactlyOnce();
+  EXPECT_EQ(StatusesAfter("1:1 2:1 3:1 4:0 5:0 "), "1:12 2:13 3:12 4:12 5:12 ");
+}
+
+TEST_F(Groot2, ABlackboardComesAsMessagePack) {
+  logged.tree.tickExactlyOnce();
+  const Parts reply = Ask('B', "Main");
+  ASSERT_EQ(reply.size(), 2U);
+  EXPECT_EQ(nlohmann::json::from_msgpack(reply[1]),
+            nlohmann::json::parse(R"({"Main": {"speed": 0.5}})"));
+}
+
+TEST_F(Groot2, AHookTakesThePlaceOfANode) {
+  const Parts reply = Ask('I', R"({"enabled": true, "uid": 3, "mode": 1, "once": false,)"
+                               R"( "desired_status": "SUCCESS", "position": 0})");
+  ASSERT_EQ(reply.size(), 1U);
+  EXPECT_EQ(logged.tree.tickExactlyOnce(), BT::NodeStatus::SUCCESS);
+}
+
+TEST_F(Groot2, AnErrorSaysWhatIsWrong) {
+  client.Send({"short"});
+  EXPECT_EQ(client.Receive(), (Parts{"error", "wrong request header"}));
+}
+
+TEST_F(Groot2, TheDelayOfTheHeartbeatCanBeChanged) {
+  publisher.setMaxHeartbeatDelay(std::chrono::milliseconds(700));
+  EXPECT_EQ(publisher.maxHeartbeatDelay(), std::chrono::milliseconds(700));
+  EXPECT_EQ(Ask('S').at(0).size(), 22U);
+}
+
+}  // namespace
