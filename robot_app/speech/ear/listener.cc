@@ -64,7 +64,9 @@ Recognition Listener::Recognize(const Sound& sound, Language language) {
 }
 
 Recognition Listener::RecognizeOffline(const Sound& sound) {
-  return Prepare() ? recognizer_->Recognize(sound) : Recognition{};
+  if (!Prepare()) return {};
+  const auto likely = LikeliestMeaning(*understander_, recognizer_->Recognize(sound));
+  return {likely.text, likely.share};
 }
 
 bool Listener::Prepare() {
@@ -79,19 +81,29 @@ Outcome Listener::Refresh() {
     if (!database) return Problem{database.problem()};
     database_.emplace(*std::move(database));
   }
+  if (const Outcome loaded = LoadLanguage(); !loaded) return loaded;
   const std::int64_t version = database_->version();
   if (recognizer_ && version == version_) return {};
-  Diagnostics diagnostics;
-  const auto intents =
-      knowledge::LoadIntentTable(settings_.language_folder + "/intents.yaml", diagnostics);
-  const auto words =
-      knowledge::LoadLanguageWords(settings_.language_folder, Language::kEnglish, diagnostics);
-  if (diagnostics.has_errors()) return Problem{diagnostics.ToString()};
-  auto made = Recognizer::Make(settings_.model,
-                               {intents, words, knowledge::Names(*database_), Language::kEnglish});
+  const std::vector<knowledge::Name> names = knowledge::Names(*database_);
+  auto made = Recognizer::Make(settings_.model, {*intents_, *words_, names, Language::kEnglish});
   if (!made) return Problem{made.problem()};
   recognizer_ = *std::move(made);
+  understander_ =
+      std::make_unique<knowledge::Understander>(*intents_, *words_, names, Language::kEnglish);
   version_ = version;
+  return {};
+}
+
+Outcome Listener::LoadLanguage() {
+  if (intents_) return {};
+  Diagnostics diagnostics;
+  auto intents =
+      knowledge::LoadIntentTable(settings_.language_folder + "/intents.yaml", diagnostics);
+  auto words =
+      knowledge::LoadLanguageWords(settings_.language_folder, Language::kEnglish, diagnostics);
+  if (diagnostics.has_errors()) return Problem{diagnostics.ToString()};
+  words_ = std::move(words);
+  intents_ = std::move(intents);
   return {};
 }
 

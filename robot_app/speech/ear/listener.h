@@ -1,6 +1,7 @@
 // Utterances to text, on a thread of its own: by a service where there is one that answers, else by
 // pocketsphinx with a grammar of what the robot knows now. The grammar is made at the start or when
-// the first utterance comes, and anew after an import of the knowledge.
+// the first utterance comes, and anew after an import of the knowledge. Of all that pocketsphinx may
+// have heard the text with the likeliest meaning is taken.
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 #define COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 
@@ -27,6 +28,15 @@ struct ListenerSettings {
   bool prepares =
       false;  ///< makes the grammar at the start, so that the first does not wait for it
 };
+
+struct Recognition {
+  std::string text;       ///< empty: nothing was recognized
+  double confidence = 0;  ///< 0..1: that it means what was meant
+};
+
+/// A confidence below which it is better to ask again: of what is wrong two thirds are below it, of
+/// what is right one in twenty (./dev bench speech).
+inline constexpr double kSureEnough = 0.7;
 
 struct HeardUtterance {
   Recognition recognition;
@@ -59,6 +69,7 @@ class Listener {
   Recognition RecognizeOffline(const Sound& sound);
   bool Prepare();
   Outcome Refresh();
+  Outcome LoadLanguage();
 
   const ListenerSettings settings_;
   const OnHeard on_heard_;
@@ -66,7 +77,10 @@ class Listener {
   ServicePause pause_;
   std::optional<knowledge::Database> database_;
   std::int64_t version_ = 0;  // of the names in the recognizer
+  std::optional<knowledge::IntentTable> intents_;
+  std::optional<knowledge::LanguageWords> words_;  // English
   std::unique_ptr<Recognizer> recognizer_;
+  std::unique_ptr<knowledge::Understander> understander_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

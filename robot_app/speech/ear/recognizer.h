@@ -2,7 +2,7 @@
 // There is no German one.
 //
 //   auto recognizer = Recognizer::Make(kModelFolder, {table, words, Names(database), kEnglish});
-//   (*recognizer)->Recognize(utterance).text           // "where is room 101"
+//   (*recognizer)->Recognize(utterance).front().text   // "where is room 101"
 //
 // What is listened for is made from the knowledge (spoken_sentences.h), and beside it the common
 // words of the language: who says something else is to be refused by the understanding, not to be
@@ -13,8 +13,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bt_core/base/outcome.h"
+#include "robot_app/knowledge/understanding/likeliest_meaning.h"
 #include "robot_app/speech/ear/spoken_sentences.h"
 #include "robot_app/speech/sound/sound.h"
 
@@ -32,19 +34,16 @@ struct Expectation {
   std::size_t common_words = 1000;
 };
 
-struct Recognition {
-  std::string text;       ///< folded words; empty: nothing was recognized
-  double confidence = 0;  ///< 0..1: mean posterior probability of the words among all that fit
-};
-
 class Recognizer {
  public:
   static Expected<std::unique_ptr<Recognizer>> Make(const std::string& model_folder,
                                                     const SpokenLanguage& spoken,
                                                     const Expectation& expectation = {});
 
-  /// A whole utterance of any rate, with a little silence around it.
-  Recognition Recognize(const Sound& sound);
+  /// What may have been said in a whole utterance of any rate, with a little silence around it: up
+  /// to a hundred texts of folded words, the likeliest first; none: nothing was recognized. Which
+  /// words were said is seldom certain, what was meant by them more often (likeliest_meaning.h).
+  std::vector<knowledge::Alternative> Recognize(const Sound& sound);
 
  private:
   struct Free {

@@ -22,7 +22,7 @@ struct SpeechSettings {
   std::string microphone = "none";
   bool push_to_talk = false;
   bool answers_aloud = true;
-  double least_confidence = 0;
+  double least_confidence = kSureEnough;  ///< that it was meant; else it is not understood
   EarSettings ear;
   VoiceSettings voices;
   SpeechService transcription;

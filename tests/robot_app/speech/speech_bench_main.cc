@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "robot_app/knowledge/store/queries.h"
+#include "robot_app/speech/ear/listener.h"
 #include "robot_app/speech/ear/recognizer.h"
 #include "tests/robot_app/knowledge/sample_database.h"
 #include "tests/robot_app/knowledge/understanding_figures.h"
@@ -107,15 +108,16 @@ class Bench {
     if (!said) throw std::runtime_error(said.problem());
     const Sound sound = Resampled(InNoise(said->sound, snr, seed), kHearingRate);
     const auto begin = std::chrono::steady_clock::now();
-    const Recognition heard = recognizer_->Recognize(sound);
-    const knowledge::Understanding understood = understander_.Understand(heard.text);
+    const auto heard = LikeliestMeaning(understander_, recognizer_->Recognize(sound));
+    const bool is_sure = heard.share >= kSureEnough;
+    const knowledge::Understanding understood = understander_.Understand(is_sure ? heard.text : "");
     static_cast<void>(voices_.Speak(kAnswer, {"en-us", kWordsPerMinute}));
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     const Hearing hearing = HearingOf(understood, example);
     figures.Add(example, voice, hearing, took.count());
     if (!lists_misses_ || hearing == Hearing::kRight) return;
     std::printf("    %-12s %-45s | %-45s %.2f %s %s -> %s%s\n", voice.c_str(), example.text.c_str(),
-                heard.text.c_str(), heard.confidence, example.intent.c_str(), example.slots.c_str(),
+                heard.text.c_str(), heard.share, example.intent.c_str(), example.slots.c_str(),
                 TextOf(understood).c_str(), hearing == Hearing::kWrongAction ? " WRONG" : "");
   }
 

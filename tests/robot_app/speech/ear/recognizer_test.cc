@@ -28,7 +28,8 @@ class RecognizerTest : public testing::Test {
     const std::vector<std::int16_t> silence(static_cast<std::size_t>(sound.rate) / 3);
     sound.samples.insert(sound.samples.begin(), silence.begin(), silence.end());
     sound.samples.insert(sound.samples.end(), silence.begin(), silence.end());
-    return recognizer_->Recognize(sound).text;
+    const auto alternatives = recognizer_->Recognize(sound);
+    return alternatives.empty() ? "" : alternatives.front().text;
   }
 
   static std::unique_ptr<Recognizer> recognizer_;
@@ -50,8 +51,10 @@ TEST_F(RecognizerTest, HearsARoomByItsNumber) {
 }
 
 TEST_F(RecognizerTest, SilenceIsNothing) {
-  EXPECT_EQ(recognizer_->Recognize({kHearingRate, std::vector<std::int16_t>(16000)}).text, "");
-  EXPECT_EQ(recognizer_->Recognize({kHearingRate, {}}).text, "");
+  const Sound silence{kHearingRate, std::vector<std::int16_t>(16000)};
+  const auto heard = recognizer_->Recognize(silence);
+  for (const knowledge::Alternative& alternative : heard) EXPECT_EQ(alternative.text, "");
+  EXPECT_TRUE(recognizer_->Recognize({kHearingRate, {}}).empty());
 }
 
 TEST(Recognizer, AModelThatIsNotThereIsAProblem) {
