@@ -20,6 +20,7 @@
 #include "robot_app/common/configuration/site_phrases.h"
 #include "robot_app/common/places/site_places.h"
 #include "robot_app/common/ros_clock.h"
+#include "robot_app/ros/duty_feed.h"
 #include "robot_app/ros/feeds.h"
 #include "robot_app/ros/people_feed.h"
 #include "robot_app/ros/pose_feed.h"
@@ -61,6 +62,9 @@ stopped. The application may be any tree, for example trees/behavior/leave_stati
                             "serves /metrics for Prometheus there; else 0 = none"),
        CommandOption::Text("--metrics-address", "ADDRESS",
                            "of that; else 127.0.0.1. Any other needs COPPICE_METRICS_TOKEN"),
+       CommandOption::Text("--hours", "HOURS",
+                           "when it works, as \"Mo-Fr 09:00-17:00\", else it rests on its station; "
+                           "else at any time"),
        CommandOption::Whole("--rounds", "N", -1, 1e9, "patrol rounds; else -1 = for ever"),
        CommandOption::Whole("--stops", "N", 0, 1e9, "places per round; else 4"),
        CommandOption::Whole("--seed", "N", 0, UINT32_MAX, "chooses the places; else 1")}};
@@ -139,6 +143,7 @@ class Robot {
                          std::vector{application.Writer<leaves::PeopleView>("people"),
                                      monitor.Writer<leaves::PeopleView>("people")},
                          clock_);
+    FeedDuty(options.Get("--hours", ""));
     visitors_.Connect({application.Writer<leaves::Visitor>("visitor"),
                        monitor.Writer<leaves::Visitor>("visitor")});
     subscribers_.push_back(node_.subscribe<std_msgs::String>(
@@ -196,6 +201,16 @@ class Robot {
     if (!used && !options.Has("--" + key)) return;
     const Outcome set = SetKey(executor, key, options.Get("--" + key, otherwise));
     if (!set) throw std::runtime_error(set.problem());
+  }
+
+  // Without hours nobody tells the trees of any, and they are always on duty.
+  void FeedDuty(const std::string& text) {
+    if (text.empty()) return;
+    const auto hours = knowledge::OpeningHours::Parse(text);
+    if (!hours) throw std::runtime_error("--hours: " + hours.problem());
+    duty_feed_.emplace(node_, *hours,
+                       std::vector{application_->executor().Writer<double>("duty_left"),
+                                   monitor_->executor().Writer<double>("duty_left")});
   }
 
   // The process supervisor restarts a program whose heart stands still.
@@ -259,6 +274,7 @@ class Robot {
   std::vector<ros::Subscriber> subscribers_;
   std::optional<adapters::PoseFeed> pose_feed_;
   std::optional<adapters::PeopleFeed> people_feed_;
+  std::optional<adapters::DutyFeed> duty_feed_;
   ros::WallTimer heart_;
 };
 

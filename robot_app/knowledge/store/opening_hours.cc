@@ -171,4 +171,16 @@ std::vector<OpenSpan> OpeningHours::On(Day day, bool is_holiday) const {
   return spans;
 }
 
+std::chrono::seconds OpeningHours::OpenFor(const LocalTime& now) const {
+  constexpr std::chrono::hours kDay(24);
+  std::chrono::seconds end = now.time;
+  // The night before may last until now.
+  for (int day = -1; day <= 7; ++day) {
+    for (const OpenSpan& span : On(now.day + day, false)) {
+      if (day * kDay + span.from <= end) end = std::max(end, day * kDay + span.to);
+    }
+  }
+  return std::min<std::chrono::seconds>(end - now.time, 7 * kDay);
+}
+
 }  // namespace coppice::robot::knowledge

@@ -43,6 +43,27 @@ TEST(OpeningHours, APlaceMayCloseAfterMidnightOrNever) {
   EXPECT_EQ(OpeningHours::Parse("24/7").value().On({0}, true)[0].to, std::chrono::hours(24));
 }
 
+// 2026-11-25 is a Wednesday.
+double HoursOpen(const char* hours, const char* day, int hour) {
+  const auto opening = OpeningHours::Parse(hours);
+  const auto left = opening.value().OpenFor({*ParseDay(day), std::chrono::hours(hour)});
+  return std::chrono::duration<double, std::ratio<3600>>(left).count();
+}
+
+TEST(OpeningHours, TellsHowLongItIsStillOpen) {
+  EXPECT_EQ(HoursOpen("Mo-Fr 09:00-17:00", "2026-11-25", 10), 7);
+  EXPECT_EQ(HoursOpen("Mo-Fr 09:00-17:00", "2026-11-25", 9), 8);
+  EXPECT_EQ(HoursOpen("Mo-Fr 09:00-17:00", "2026-11-25", 17), 0) << "closed";
+  EXPECT_EQ(HoursOpen("Mo-Fr 09:00-17:00", "2026-11-25", 8), 0) << "not yet open";
+  EXPECT_EQ(HoursOpen("Mo-Fr 09:00-17:00", "2026-11-28", 10), 0) << "a Saturday";
+}
+
+TEST(OpeningHours, WhatIsOpenOverMidnightStaysOpen) {
+  EXPECT_EQ(HoursOpen("Fr 22:00-02:00", "2026-11-28", 1), 1);
+  EXPECT_EQ(HoursOpen("Mo-Fr 00:00-24:00", "2026-11-25", 12), 60) << "until Friday is over";
+  EXPECT_EQ(HoursOpen("24/7", "2026-11-25", 12), 168) << "a week at most";
+}
+
 TEST(OpeningHours, WhatIsNoneIsSaid) {
   for (const char* wrong : {"", "Mo-Fr", "Mo-Fr 8-16", "Mx 08:00-16:00", "Mo-Fr 08:00-16:61",
                             "Mo-Fr 08:00-16:00;", "Feb 00 off", "sunrise-sunset", "Mo--Fr off"}) {
