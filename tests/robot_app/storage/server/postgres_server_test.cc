@@ -179,6 +179,34 @@ TEST_F(ShipperTest, SendsWhatCameWhileTheServerWasAway) {
   EXPECT_EQ(Rows("number").size(), 20u);
 }
 
+// A message each ten seconds; in the middle of it the robot is switched off and on.
+TEST_F(ShipperTest, SendsEachMessageOfADayWithoutServerOnce) {
+  constexpr int kHours = 24, kPerHour = 360;
+  postgres_->Stop();
+  auto spool = std::move(Spool::Open(folder_.Path("day.db"), {})).value();
+  ShipperState state;
+  for (int hour = 0; hour < kHours; ++hour) {
+    std::vector<Document> documents;
+    for (int i = 0; i < kPerHour; ++i) {
+      documents.push_back(Make(0, "{}", kMorning + (kPerHour * hour + i) * 10 * kSecond));
+    }
+    spool->Add(documents);
+    EXPECT_FALSE(ShipNext(*spool, server_, options_, state)) << "the server is away";
+    if (hour != kHours / 2) continue;
+    spool.reset();
+    spool = std::move(Spool::Open(folder_.Path("day.db"), {})).value();
+  }
+  EXPECT_EQ(spool->Look().documents, kHours * kPerHour);
+  postgres_->Start();
+  EXPECT_TRUE(Eventually([&] {
+    ShipNext(*spool, server_, options_, state);
+    return spool->Look().documents == 0;
+  }));
+  EXPECT_EQ(Rows("DISTINCT number").size(), std::size_t{kHours * kPerHour});
+  EXPECT_EQ(Rows("number").size(), std::size_t{kHours * kPerHour});
+  EXPECT_EQ(spool->Look().lost, 0);
+}
+
 TEST_F(ShipperTest, GoesOnWhenThePasswordIsRightAgain) {
   postgres_->Ask("ALTER ROLE store PASSWORD 'changed'");
   Add(10);
