@@ -7,6 +7,9 @@
 namespace coppice::leaves {
 namespace {
 
+// State of charge at which the shortest charge settles a request.
+constexpr double kNearlyFull = 0.9;
+
 double Seconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 std::string Print(const char* format, double a, double b) {
@@ -33,11 +36,11 @@ const BatteryVerdict& BatteryWatch::Update(Time now, const BatteryReading* readi
   const double way = ChargeToDrive(options_.model, distance < 0 ? farthest_ : distance);
   verdict_.needed = way + ChargeReserve(options_.model);
   const bool is_full = is_charging_ && newest_->charger == ChargerState::kFull;
+  const bool counts = is_charging_ && Seconds(now - charging_since_) >= options_.counts_after;
+  const double enough = counts ? options_.charged : std::max(options_.charged, kNearlyFull);
   const bool is_charged =
-      is_full || (is_charging_ && verdict_.charge >= options_.charged * options_.model.capacity);
-  if (is_charging_ && (is_charged || Seconds(now - charging_since_) >= options_.counts_after)) {
-    last_charge_ = now;
-  }
+      is_full || (is_charging_ && verdict_.charge >= enough * options_.model.capacity);
+  if (is_charged || counts) last_charge_ = now;
   std::string reason = Reason(now);
   if (!reason.empty() && !is_charging_) {
     verdict_.due = true;

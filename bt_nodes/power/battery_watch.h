@@ -24,7 +24,7 @@ struct BatteryWatchOptions {
   double longest_without_charge = 4 * 3600;  ///< s
   double longest_silence = 60;               ///< of the battery [s]; then charging is due
   double smoothing = 30;                     ///< time constant for the voltage [s]
-  double charged = 0.9;  ///< state of charge from which on a request is settled, while charging
+  double charged = 0.9;       ///< state of charge at which a charge that counts settles a request
   double counts_after = 600;  ///< so long must current flow to count as a charge [s]
   /// Below this share of the reserve plus the way the robot may not reach the station: critical.
   double critical = 0.5;

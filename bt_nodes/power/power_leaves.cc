@@ -15,7 +15,8 @@ Status PlanCharge::Run() {
   if (duty_left.has_value() && *duty_left > 0) {
     const double rest = *duty_left / 3600 * *current / *capacity;
     low_level = std::clamp(*reserve + rest - *slack, *reserve, std::max(*reserve, *low));
-    if (!to_the_full.has_value() || !*to_the_full) charged = std::min(charged, *reserve + rest);
+    charged = std::min(charged, *reserve + rest);
+    if (requested.has_value() && *requested) charged = std::max(charged, *when_requested);
   }
   low_below.Set(low_level);
   until.Set(std::max(charged, std::min(kCharged, low_level + 0.01)));
@@ -33,6 +34,7 @@ bool ChargeDue::Check() {
     options.longest_without_charge = *longest_without_charge;
     options.longest_silence = *longest_silence;
     options.last_charge = *last_charge;
+    options.charged = *charged;
     watch_ = std::make_unique<BatteryWatch>(options);
     critical.Set(false);
     exhausted.Set(false);

@@ -95,7 +95,10 @@ class PlanCharge : public SyncAction {
                           "until the end of the working hours, fed from outside [s]; not fed: the "
                           "robot works at any time",
                           kOptional};
-  Input<bool> to_the_full{this, "to_the_full", "it must be charged whatever it needs", kOptional};
+  Input<bool> requested{this, "requested", "the battery watchdog wants it to charge", kOptional};
+  Input<double> when_requested{
+      this, "when_requested", "then it is charged at least so far, 0..1: more than ChargeDue wants",
+      0.4};
   Input<double> capacity{this, "capacity", "of the battery [Ah]", 75};
   Input<double> current{this, "current", "drawn at work, on the average [A]", 11};
   Input<double> reserve{this, "reserve", "left at the end of the working hours, 0..1", 0.15};
@@ -127,6 +130,8 @@ class ChargeDue : public Condition {
                                 "of the battery; then it is due in any case [s]", 60};
   Input<double> last_charge{this, "last_charge",
                             "no more, or no more than the way takes: exhausted [Ah]", 1.5};
+  Input<double> charged{this, "charged",
+                        "settled at this level, when it has charged for ten minutes", 0.9};
   Output<std::string> reason{this, "reason", "why it is due, for people"};
   Output<bool> critical{this, "critical", "the robot may not reach the station without help"};
   Output<bool> exhausted{this, "exhausted", "the robot will not reach the station any more"};

@@ -206,6 +206,26 @@ TEST(DriveTo, GivesUpAfterFortyAttempts) {
   EXPECT_EQ(scenario.CallsOf("NavigateTo 1;2;0"), 40);
 }
 
+// Drives in vain; then `is_free` tells of each look whether there is a way.
+long AttemptsOfATry(bool is_free) {
+  TreeScenario scenario("behavior/drive_to.xml", "TryToDriveTo");
+  scenario.Set("goal", leaves::Pose2D{1, 2, 0});
+  Status status = scenario.Tick();
+  for (int i = 0; i < 20 && status == Status::kRunning; ++i) {
+    const bool looks = scenario.LastCall().rfind("FindWay", 0) == 0;
+    status = scenario.Answer(looks && is_free);
+    if (status != Status::kRunning) break;
+    scenario.Advance(5);
+    status = scenario.Tick();
+  }
+  EXPECT_EQ(status, Status::kFailure);
+  return scenario.CallsOf("NavigateTo 1;2;0");
+}
+
+TEST(TryToDriveTo, GivesUpAfterThreeAttempts) { EXPECT_EQ(AttemptsOfATry(true), 3); }
+
+TEST(TryToDriveTo, DoesNotDriveAgainWhileThereIsNoWay) { EXPECT_EQ(AttemptsOfATry(false), 1); }
+
 TEST(LeaveStation, WaitsUntilTheBatteryHasReported) {
   TreeScenario scenario("behavior/leave_station.xml");
   EXPECT_EQ(scenario.Tick(), Status::kRunning);

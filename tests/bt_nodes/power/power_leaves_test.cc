@@ -157,15 +157,22 @@ TEST(PlanCharge, TowardsTheEndOfTheDayTheBatteryIsLowOnlyAtTheReserve) {
   EXPECT_GT(Planned(harness, "until"), 0.15) << "else it would come back at once";
 }
 
-TEST(PlanCharge, AtNightAndWhenToldToItChargesToTheFull) {
+TEST(PlanCharge, AtNightItChargesToTheFull) {
   LeafHarness harness = LeafHarness::For<PlanCharge>();
   harness.Set("duty_left", 0.0);
   harness.Tick();
   EXPECT_DOUBLE_EQ(Planned(harness, "until"), 0.95);
-  harness.Set("duty_left", 3600.0);
-  harness.Set("to_the_full", true);
+}
+
+TEST(PlanCharge, WhenRequestedItChargesAsFarAsTheWatchdogWants) {
+  LeafHarness harness = LeafHarness::For<PlanCharge>();
+  harness.Set("requested", true);
+  harness.Set("duty_left", 600.0);
   harness.Tick();
-  EXPECT_DOUBLE_EQ(Planned(harness, "until"), 0.95);
+  EXPECT_DOUBLE_EQ(Planned(harness, "until"), 0.4);
+  harness.Set("duty_left", 3 * 3600.0);
+  harness.Tick();
+  EXPECT_NEAR(Planned(harness, "until"), 0.15 + 0.44, 1e-9) << "the day needs more";
 }
 
 }  // namespace
