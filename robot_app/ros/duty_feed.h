@@ -15,8 +15,8 @@ namespace coppice::robot::adapters {
 /// What clocks on the wall show where the computer is (environment variable TZ, /etc/localtime).
 knowledge::LocalTime LocalTimeAt(std::time_t moment);
 
-/// Every ten seconds of the computer's clock, as long as it lives; also in a simulation, whose clock
-/// knows no day.
+/// Every ten seconds of the computer's clock, as long as it lives; also in a simulation, whose
+/// clock knows no day.
 class DutyFeed {
  public:
   /// `trees`: their keys `duty_left`, until the end of the working hours [s], 0 outside of them.

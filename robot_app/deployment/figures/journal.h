@@ -66,6 +66,14 @@ struct ProgramStart {
   std::string fault;   ///< "exit", "hang", ...
 };
 
+/// What went wrong in the world, whatever the robot noticed of it.
+struct OccurredFault {
+  Time at{};
+  std::string fault;  ///< "blockage", ... as in scenario.yaml
+  std::string what;   ///< its kind: "passing", "trap", a door, "transient", a node ...
+  double lasts = 0;   ///< s; 0: until something is done about it
+};
+
 struct BatterySample {
   Time at{};
   double level = 0;  ///< 0..1
@@ -85,6 +93,7 @@ struct Journal {
   std::vector<UnplannedStop> stops;
   std::vector<Docking> dockings;
   std::vector<ProgramStart> starts;
+  std::vector<OccurredFault> faults;
   std::vector<BatterySample> battery;
   double distance = 0;  ///< m
   int with_mask = 0;    ///< faces seen

@@ -106,6 +106,16 @@ void To(const Json& json, ProgramStart& start) {
   start = {json.at("group"), ToTime(json.at("failed")), json.at("seconds"), json.at("fault")};
 }
 
+Json From(const OccurredFault& fault) {
+  return {{"at", FromTime(fault.at)},
+          {"fault", fault.fault},
+          {"what", fault.what},
+          {"lasts", fault.lasts}};
+}
+void To(const Json& json, OccurredFault& fault) {
+  fault = {ToTime(json.at("at")), json.at("fault"), json.at("what"), json.at("lasts")};
+}
+
 Json From(const BatterySample& sample) { return Json::array({FromTime(sample.at), sample.level}); }
 void To(const Json& json, BatterySample& sample) { sample = {ToTime(json.at(0)), json.at(1)}; }
 
@@ -136,6 +146,7 @@ Journal FromJson(const Json& json) {
   ToList(json.at("stops"), journal.stops);
   ToList(json.at("dockings"), journal.dockings);
   ToList(json.at("starts"), journal.starts);
+  ToList(json.value("faults", Json::array()), journal.faults);  // older files have none
   ToList(json.at("battery"), journal.battery);
   journal.distance = json.at("distance");
   journal.with_mask = json.at("with_mask");
@@ -162,6 +173,7 @@ std::string ToText(const Journal& journal) {
                      {"stops", FromList(journal.stops)},
                      {"dockings", FromList(journal.dockings)},
                      {"starts", FromList(journal.starts)},
+                     {"faults", FromList(journal.faults)},
                      {"battery", FromList(journal.battery)},
                      {"distance", journal.distance},
                      {"with_mask", journal.with_mask},

@@ -73,6 +73,9 @@ Controller Read(YamlFields& fields, const std::vector<Controller>& known) {
         fields.Choice("docking", "current", {"current", "contact"}) == "contact";
   }
   controller.plans_charging = YesOrNo(fields, "plans_charging", controller.plans_charging);
+  if (fields.Has("asks")) {
+    controller.asks_all = fields.Choice("asks", "everybody", {"everybody", "one"}) == "everybody";
+  }
   ReadPatience(fields, controller);
   fields.Finish();
   return controller;

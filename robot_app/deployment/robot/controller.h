@@ -31,6 +31,7 @@ struct Controller {
   Restarts restarts = Restarts::kByThemselves;
   bool contact_is_success = false;
   bool plans_charging = true;
+  bool asks_all = true;            ///< else the first supervisor alone
   double gives_up = 28;            ///< s, a goal that is held
   double navigation_error = 60;    ///< s
   double lost_after = 10;          ///< s

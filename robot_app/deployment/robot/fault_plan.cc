@@ -38,7 +38,8 @@ FaultPlan::FaultPlan(World& world, MovingClock& moving, FloorWays& ways, Drive& 
       failures_(world.seed, "program"),
       topics_(world.seed, "topic"),
       rare_(world.seed, "rare"),
-      faces_(world.seed, "faces") {}
+      faces_(world.seed, "faces"),
+      sight_(world.seed, "sight") {}
 
 void FaultPlan::Begin() {
   PerHour(Fault::kBlockage, blockages_, &FaultPlan::BeginHindrance);
@@ -48,6 +49,7 @@ void FaultPlan::Begin() {
   Faces();
   PerDeployment(Fault::kCrashLoop, true, [this] {
     if (world_.is_off) return;
+    Note(Fault::kCrashLoop, "/odometry_filter");
     programs_.BeginCrashLoop("/odometry_filter", rare_.Happens(world_.scenario.loop_in_program));
     Tell();
   });
@@ -55,11 +57,13 @@ void FaultPlan::Begin() {
   PerDeployment(Fault::kChargeSignal, true, [this] {
     moving_.After(1, [this] {
       world_.battery_key_is_stuck = true;
+      Note(Fault::kChargeSignal, "stuck");
       Tell();
     });
   });
   PerDeployment(Fault::kNetwork, false, [this] {
     world_.network = false;
+    Note(Fault::kNetwork, "down");
     world_.After(rare_.LogNormal(world_.scenario.network_median, 1), [this] {
       world_.network = true;
       Tell();
@@ -123,6 +127,10 @@ void FaultPlan::Faces() {
   });
 }
 
+void FaultPlan::Note(Fault fault, const std::string& what, double lasts) {
+  world_.journal.faults.push_back({world_.now(), ToString(fault), what, lasts});
+}
+
 // ---- what holds the robot
 
 void FaultPlan::BeginHindrance() {
@@ -135,8 +143,11 @@ void FaultPlan::BeginHindrance() {
   const std::size_t kind = blockages_.Pick({s.blockage_passing, s.blockage_trap, closed});
   const double lasts = blockages_.Uniform(s.passing_shortest, s.passing_longest);
   if (kind == 2 && BeginClosed()) return;
-  world_.hindrance = kind == 1 ? Hindrance::kTrap : Hindrance::kPassing;
+  const bool is_trap = kind == 1;
+  world_.hindrance = is_trap ? Hindrance::kTrap : Hindrance::kPassing;
+  Note(Fault::kBlockage, is_trap ? "trap" : "passing", is_trap ? 0 : lasts);
   if (world_.hindrance == Hindrance::kPassing) {
+    world_.is_noticed = sight_.Happens(world_.scenario.people_noticed);
     clears_ = world_.After(lasts, [this] { ClearHindrance(); });
   }
   drive_.Review();
@@ -153,6 +164,7 @@ bool FaultPlan::BeginClosed() {
   if (name.empty()) return false;
   world_.hindrance = Hindrance::kClosed;
   world_.closed = name;
+  Note(Fault::kBlockage, name, lasts);
   ways_.Close(name);
   clears_ = world_.After(lasts, [this] { ClearHindrance(); });
   drive_.PutAt(world_.pose);  // it sees it, and plans anew
@@ -188,6 +200,8 @@ void FaultPlan::LosePosition() {
   const Scenario& s = world_.scenario;
   const double outside = std::max(0.0, 1 - s.lost_transient - s.lost_inside);
   const std::size_t kind = losses_.Pick({s.lost_transient, s.lost_inside, outside});
+  constexpr const char* kLosses[] = {"transient", "inside", "outside"};
+  Note(Fault::kLocalization, kLosses[kind]);
   position_.Lose(kind == 0 ? Loss::kTransient : kind == 1 ? Loss::kInside : Loss::kOutside);
   Tell();
 }
@@ -205,7 +219,9 @@ std::string FaultPlan::SomeNode(Chance& chance) const {
 
 void FaultPlan::FailProgram() {
   const std::string node = SomeNode(failures_);
-  if (failures_.Happens(world_.scenario.hang_share)) {
+  const bool hangs = failures_.Happens(world_.scenario.hang_share);
+  Note(Fault::kProgram, (hangs ? "hang " : "exit ") + node);
+  if (hangs) {
     programs_.Hang(node);
   } else {
     programs_.Crash(node, "exit");
@@ -215,6 +231,7 @@ void FaultPlan::FailProgram() {
 
 void FaultPlan::FailTopic() {
   const bool is_silent = topics_.Happens(0.5);
+  Note(Fault::kTopic, is_silent ? "silent" : "slow");
   programs_.Slow("/simulator", is_silent ? 0 : kSlowRate);
   Tell();
 }

@@ -42,6 +42,7 @@ class FaultPlan {
   void LosePosition();
   void FailProgram();
   void FailTopic();
+  void Note(Fault fault, const std::string& what, double lasts = 0);
   std::string SomeNode(Chance& chance) const;
   double Crowd() const;
   void Tell() {
@@ -54,7 +55,7 @@ class FaultPlan {
   Drive& drive_;
   Position& position_;
   Programs& programs_;
-  Chance blockages_, losses_, failures_, topics_, rare_, faces_;
+  Chance blockages_, losses_, failures_, topics_, rare_, faces_, sight_;
   EventQueue::Id clears_{};
 };
 

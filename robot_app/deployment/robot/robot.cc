@@ -36,6 +36,13 @@ SitePhrases PhrasesOf(const Shipped& shipped, const World& world) {
   return phrases;
 }
 
+std::vector<assistance::HumanSupervisor> AskedBy(const Controller& controller,
+                                                 const Shipped& shipped) {
+  std::vector<assistance::HumanSupervisor> people = shipped.people.supervisors;
+  if (!controller.asks_all) people.resize(1);
+  return people;
+}
+
 RunId RunIdOf(std::uint64_t seed) {
   RunId id{};
   id[0] = 'd';
@@ -57,7 +64,7 @@ Robot::Robot(World& world, const Shipped& shipped, const Controller& controller,
       station_(world, programs_, FromFloor(shipped.floor.docked), FromFloor(shipped.floor.staging),
                controller.contact_is_success),
       position_(world),
-      helpers_(world, shipped.people.supervisors,
+      helpers_(world, AskedBy(controller, shipped),
                [this](const std::string& subject) { return shipped_.people.RulesOf(subject); }),
       watchers_(Changed(shipped.monitors, controller),
                 {world, ways_, programs_, drive_, station_, position_}, controller.lost_after),
@@ -243,6 +250,7 @@ void Robot::Feed(const Keys& keys, bool is_application) const {
     keys.docked.Send(*leaves::StandsOnStation(reading));
     keys.battery.Send(reading);
   }
+  if (!is_application && programs_.Works("/people_tracker")) keys.people.Send(SeePeople(world_));
   keys.configuration.Send(programs_.supervisor().configuration());
   keys.manual.Send(false);
   const double left = world_.scenario.calendar.DutyLeft(world_.now());

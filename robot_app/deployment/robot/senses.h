@@ -3,6 +3,7 @@
 #ifndef COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_SENSES_H_
 #define COPPICE_ROBOT_APP_DEPLOYMENT_ROBOT_SENSES_H_
 
+#include "bt_nodes/people/people_view.h"
 #include "bt_nodes/power/battery_reading.h"
 #include "robot_app/deployment/world/world.h"
 
@@ -28,6 +29,19 @@ inline leaves::BatteryReading ReadBattery(const World& world) {
     reading.charger = world.battery.full() ? ChargerState::kFull : ChargerState::kCharging;
   }
   return reading;
+}
+
+// Who stands in the way, before the robot but too far off to be greeted.
+inline leaves::PeopleView SeePeople(const World& world) {
+  leaves::PeopleView view;
+  view.stamp = world.now();
+  if (world.hindrance == Hindrance::kPassing && world.is_noticed) {
+    leaves::SeenPerson person;
+    person.x = 2;
+    person.known_for = 1;
+    view.people = {person};
+  }
+  return view;
 }
 
 }  // namespace coppice::robot::deployment

@@ -26,6 +26,7 @@ constexpr Entry kEntries[] = {
     {"again_after_trap", &Scenario::again_after_trap, 0, 1},
     {"passing_shortest", &Scenario::passing_shortest, 0, kDay},
     {"passing_longest", &Scenario::passing_longest, 0, kDay},
+    {"people_noticed", &Scenario::people_noticed, 0, 1},
     {"closed_at_door", &Scenario::closed_at_door, 0, 1},
     {"closed_lasts", &Scenario::closed_lasts, 0, kDay},
     {"lost_transient", &Scenario::lost_transient, 0, 1},

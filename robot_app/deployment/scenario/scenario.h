@@ -45,7 +45,7 @@ struct Scenario {
 
   double blockage_passing = 0, blockage_trap = 0;
   double again_after_passing = 0, again_after_trap = 0;
-  double passing_shortest = 0, passing_longest = 0;
+  double passing_shortest = 0, passing_longest = 0, people_noticed = 0;
   double closed_at_door = 0, closed_lasts = 0;
   double lost_transient = 0, lost_inside = 0;
   double hang_share = 0;

@@ -62,7 +62,8 @@ struct World {
 
   // What is wrong.
   Hindrance hindrance = Hindrance::kNone;
-  std::string closed;  ///< the door or place
+  bool is_noticed = false;  ///< the people of kPassing, by the robot's perception
+  std::string closed;       ///< the door or place
   Loss loss = Loss::kNone;
   Time lost_at{};
   bool station_is_broken = false;  ///< no attempt gets there

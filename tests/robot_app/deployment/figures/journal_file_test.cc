@@ -23,6 +23,7 @@ Journal Full() {
   journal.requests = {{"docking", journal.span.from, kNever, false, "open"}};
   journal.dockings = {{journal.span.from, 2, true, true, 75.5}};
   journal.starts = {{"odometry_filter", journal.span.from, 4.5, "exit"}};
+  journal.faults = {{journal.span.from, "blockage", "passing", 75}};
   journal.battery = {{journal.span.from, 0.5}};
   journal.distance = 66600;
   journal.with_mask = 983;

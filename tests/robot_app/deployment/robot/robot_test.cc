@@ -86,6 +86,30 @@ TEST_F(DeploymentTest, APassingPersonIsWaitedForAndATrapIsLeftBackwards) {
   EXPECT_TRUE(journal.requests.empty());
 }
 
+TEST_F(DeploymentTest, ItDoesNotMoveBackwardsBeforePeopleWhomItSees) {
+  OnlyFault(Fault::kBlockage, 3);
+  scenario_.blockage_passing = 1;
+  scenario_.blockage_trap = 0;
+  scenario_.people_noticed = 1;
+  const Journal journal = Live(3);
+  EXPECT_GT(journal.faults.size(), 10U);
+  EXPECT_THAT(journal.recoveries,
+              testing::Each(testing::Field(&leaves::RecoveryEvent::recovery,
+                                           testing::AnyOf("dock", "wait and retry"))));
+}
+
+TEST_F(DeploymentTest, BehindAClosedCorridorItGoesOnWhereItCan) {
+  OnlyFault(Fault::kBlockage, 0.3);
+  scenario_.blockage_passing = 0;
+  scenario_.blockage_trap = 0;
+  scenario_.closed_at_door = 0;
+  scenario_.closed_lasts = 3600;
+  const Journal journal = Live(3);
+  EXPECT_FALSE(journal.faults.empty());
+  EXPECT_TRUE(journal.stops.empty());
+  EXPECT_GT(FiguresOf(journal).moving, 0.9 * FiguresOf(journal).undocked);
+}
+
 TEST_F(DeploymentTest, WhoMustTellThePositionIsAskedAndTheRobotGoesOn) {
   OnlyFault(Fault::kLocalization, 0.5);
   scenario_.lost_transient = scenario_.lost_inside = 0;
