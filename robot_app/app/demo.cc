@@ -41,18 +41,6 @@ std::string LastLine(const std::string& path) {
   return last;
 }
 
-// Who was met, and how many faces were seen with and without mask.
-std::string PeopleLine(const std::map<std::uint32_t, std::uint8_t>& people) {
-  using coppice_msgs::Person;
-  int with_mask = 0, without_mask = 0;
-  for (const auto& [id, mask] : people) {
-    with_mask += mask == Person::WITH_MASK ? 1 : 0;
-    without_mask += mask == Person::WITHOUT_MASK ? 1 : 0;
-  }
-  return std::to_string(people.size()) + " followed, faces: " + std::to_string(with_mask) +
-         " with mask, " + std::to_string(without_mask) + " without";
-}
-
 // A failure of the demonstration itself; the summary is still printed.
 struct DemoFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -316,7 +304,7 @@ class Demo {
     if (watch_) {
       Remember(watch_->view());
       distance_ = watch_->view().distance;
-      people_ = watch_->view().people;
+      crowd_ = watch_->view().crowd;
     }
     const bool editor_was_there = editor_.pid() == 0 || editor_.IsRunning();
     if (!editor_was_there) console_.Tell("the editor has ended early; see " + Log("editor"));
@@ -340,7 +328,7 @@ class Demo {
                                               (settings_.folder / "monitor.coppice").string());
     std::cout << "\n"
               << ToTable(summary, distance_) << "people          "
-              << (settings_.perception ? PeopleLine(people_)
+              << (settings_.perception ? ToText(crowd_)
                                        : "not looked for: nobody can be followed faster than real "
                                          "time (--speed 1)")
               << "\n";
@@ -385,8 +373,8 @@ class Demo {
   ros::Publisher note_;
   std::unique_ptr<RobotWatch> watch_;
   std::set<pid_t> pids_;
-  double distance_ = 0;                           // m
-  std::map<std::uint32_t, std::uint8_t> people_;  // as in RobotView
+  double distance_ = 0;  // m
+  CrowdFigures crowd_;
 };
 
 }  // namespace

@@ -38,13 +38,6 @@ void UpdateHealth(const coppice_msgs::Health& message, RobotView& view) {
   }
 }
 
-void UpdatePeople(const coppice_msgs::People& message, RobotView& view) {
-  for (const coppice_msgs::Person& person : message.people) {
-    std::uint8_t& mask = view.people[person.id];
-    if (person.mask != coppice_msgs::Person::MASK_UNKNOWN) mask = person.mask;
-  }
-}
-
 void UpdateAnswer(const coppice_msgs::Answer& message, RobotView& view) {
   ++view.answers;
   view.heard = message.heard.text;
@@ -60,7 +53,8 @@ RobotWatch::RobotWatch(ros::NodeHandle& node) {
     view.application = message.data;
   });
   Watch<coppice_msgs::ProcessStates>(node, "/processes", UpdateProcesses);
-  Watch<coppice_msgs::People>(node, "/people", UpdatePeople);
+  Watch<coppice_msgs::People>(
+      node, "/people", [](const auto& message, RobotView& view) { view.crowd.Add(message); });
   Watch<coppice_msgs::Answer>(node, "/speech/answer", UpdateAnswer);
   Watch<std_msgs::String>(node, "/visitors/outcome", [](const auto& message, RobotView& view) {
     view.outcome = message.data;

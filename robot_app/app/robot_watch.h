@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/app/crowd_figures.h"
+
 namespace coppice::robot {
 
 /// What is known of the robot at one moment.
@@ -34,8 +36,7 @@ struct RobotView {
   std::string heard, answer;  ///< the newest: what was understood, what was said to it
   std::string led_to;         ///< the place to which its visitor wants to be led; or empty
   std::string outcome;        ///< of the newest wish to be led: arrived, lost ...; or empty
-  /// Everybody who was followed so far, by number: coppice_msgs/Person::mask, as it was known last.
-  std::map<std::uint32_t, std::uint8_t> people;
+  CrowdFigures crowd;         ///< of all that was told of people so far
 };
 
 class RobotWatch {

@@ -44,14 +44,6 @@ Expected<std::size_t> Find(const std::vector<Item>& items, const std::string& na
                  (hint.empty() ? "; known: " + Join(names) : " (" + hint + ")")};
 }
 
-std::vector<Segment> EdgesFrom(double height, const StillScene& still) {
-  std::vector<Segment> edges;
-  for (const Panel& panel : still.panels) {
-    if (panel.top >= height) edges.push_back(panel.edge);
-  }
-  return edges;
-}
-
 }  // namespace
 
 World::World(const Floor& floor, const WorldOptions& options)
@@ -75,6 +67,7 @@ World::World(const Floor& floor, const WorldOptions& options)
   }
   bodies_.SetLandmark(landmark());
   Rebuild();
+  ShowPeople();
   ReadSensors();
 }
 
@@ -83,7 +76,7 @@ void World::Step(double dt, const std::optional<Velocity>& command) {
   MovePeople(dt);
   MoveRobot(dt);
   if (lidar_3d_on_) {
-    scene_.SetFigures(MakeFigures(people_.Stances()));
+    scene_.SetFigures(figures_);
     lidar_3d_.Turn(time_, dt, robot(), scene_);
   }
   time_ += dt;
@@ -100,14 +93,19 @@ void World::MovePeople(double dt) {
   for (std::size_t i = 0; i < people_.discs().size(); ++i) {
     bodies_.SetPerson(i, people_.discs()[i], dt);
   }
+  ShowPeople();
+}
+
+void World::ShowPeople() {
+  figures_ = MakeFigures(people_.Stances());
+  legs_ = SlicesAt(lidar_.options().height, figures_);
 }
 
 void World::MoveRobot(double dt) {
   const Velocity before = velocity();
   const Pose2 pose = robot();
   const double reach = drive_.ProtectiveField(drive_.options().max_linear) + 0.1;
-  const double gap =
-      FrontGap(pose, lidar_.options().mounting, radius_, reach, visible_, people_.discs());
+  const double gap = FrontGap(pose, lidar_.options().mounting, radius_, reach, visible_, legs_);
   const bool powered = !battery_.empty() && !emergency_stop_;
   const Velocity wanted = drive_.Next(time_, dt, before, gap, powered);
   bodies_.Step(dt, wanted);
@@ -121,7 +119,7 @@ void World::MoveRobot(double dt) {
 
 void World::ReadSensors() {
   if (time_ + kTimeSlack >= next_scan_) {
-    lidar_.Measure(time_, robot(), visible_, people_.discs());
+    lidar_.Measure(time_, robot(), visible_, legs_);
     next_scan_ += lidar_.options().period;
     next_scan_ = std::max(next_scan_, time_ + kTimeSlack);
   }
@@ -138,7 +136,7 @@ void World::ReadSensors() {
 }
 
 void World::ReadSonars() {
-  audible_.SetFigures(MakeFigures(people_.Stances()));
+  audible_.SetFigures(figures_);
   echoes_.time = time_;
   for (std::size_t i = 0; i < sonars_.size(); ++i) {
     echoes_.ranges[i] = sonars_[i].Measure(robot(), audible_);

@@ -122,6 +122,7 @@ class World {
 
  private:
   void MovePeople(double dt);
+  void ShowPeople();
   void MoveRobot(double dt);
   void ReadSensors();
   void ReadSonars();
@@ -154,10 +155,12 @@ class World {
   Echoes echoes_;
   Odometry odometry_;
   Imu imu_;
-  Scene scene_;        // what stands still and, while the 3-D lidar turns, the people
-  Scene audible_;      // the same with the glass, for the sonars
-  RayCaster visible_;  // of what stands still: what is as high as the lidar and no glass
-  RayCaster solid_;    // and all of it, for people's feet
+  std::vector<Figure> figures_;  // the people
+  std::vector<Disc> legs_;       // what the laser sees of them
+  Scene scene_;                  // what stands still and, while the 3-D lidar turns, the people
+  Scene audible_;                // the same with the glass, for the sonars
+  RayCaster visible_;            // of what stands still: what is as high as the lidar and no glass
+  RayCaster solid_;              // and all of it, for people's feet
   double next_scan_ = 0;
   double next_odometry_ = 0;
   double next_echoes_ = 0;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -90,62 +87,6 @@ void AddExamples(const CandidateFinder& finder, const LabelledScan& scan,
   }
 }
 
-// --- figures ---
-
-std::size_t BandOf(double distance) { return distance <= 5 ? 0 : distance <= 10 ? 1 : 2; }
-
-// Which person of the truth each seen one is: the nearest within half a metre.
-constexpr double kSamePerson = 0.5;
-
-std::optional<Occlusion> OcclusionOf(const PersonTruth& person) {
-  if (person.visible < 0.3) return std::nullopt;
-  if (person.in_group) return Occlusion::kGroup;
-  if (person.visible <= 0.7) return Occlusion::kHalfHidden;
-  return Occlusion::kFree;
-}
-
-struct Count {
-  PeopleFigures& figures;
-  double squares = 0;  // of the positions' errors
-  int near = 0;
-
-  void Add(const std::vector<perception::SeenPerson>& seen,
-           const std::vector<PersonTruth>& people) {
-    std::vector<bool> found(people.size(), false);
-    for (const perception::SeenPerson& person : seen) AddSeen(person, people, found);
-    for (std::size_t i = 0; i < people.size(); ++i) {
-      const auto occlusion = OcclusionOf(people[i]);
-      const double distance = simulation::Length(people[i].position);
-      if (!occlusion || distance > 20) continue;
-      Misses& misses = figures.misses[BandOf(distance)][static_cast<std::size_t>(*occlusion)];
-      ++misses.people;
-      misses.missed += found[i] ? 0 : 1;
-    }
-  }
-
- private:
-  void AddSeen(const perception::SeenPerson& person, const std::vector<PersonTruth>& people,
-               std::vector<bool>& found) {
-    const simulation::Vec2 at{person.position.x(), person.position.y()};
-    double nearest = kSamePerson;
-    std::size_t who = people.size();
-    for (std::size_t i = 0; i < people.size(); ++i) {
-      const double off = simulation::Length(people[i].position - at);
-      if (found[i] || off >= nearest) continue;
-      nearest = off;
-      who = i;
-    }
-    if (who == people.size()) {
-      ++figures.false_people[BandOf(simulation::Length(at))];
-      return;
-    }
-    found[who] = true;
-    if (simulation::Length(at) > 5) return;
-    squares += nearest * nearest;
-    ++near;
-  }
-};
-
 }  // namespace
 
 Expected<PersonClassifier> TrainPeople(const PeopleTrainingOptions& options,
@@ -168,51 +109,20 @@ Expected<PersonClassifier> TrainPeople(const PeopleTrainingOptions& options,
   return std::move(*classifier);
 }
 
-double PeopleFigures::false_per_scan() const {
-  const int all = std::accumulate(false_people.begin(), false_people.end(), 0);
-  return scans > 0 ? static_cast<double>(all) / scans : 0;
-}
-
 PeopleFigures MeasurePeople(perception::PeopleFinder& finder, const Site& site, int scans,
                             std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  PeopleFigures figures;
-  Count count{figures};
-  for (; figures.scans < scans; ++figures.scans) {
+  PeopleCount count;
+  for (int i = 0; i < scans; ++i) {
     const LabelledScan scan = MakeLabelledScan(site, {}, random);
     const auto begin = std::chrono::steady_clock::now();
-    const auto& seen = finder.Find(scan.points);
-    figures.seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const auto& people = finder.Find(scan.points);
+    count.AddTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    std::vector<simulation::Vec2> seen;
+    for (const auto& person : people) seen.push_back({person.position.x(), person.position.y()});
     count.Add(seen, scan.people);
   }
-  figures.position_error = std::sqrt(count.squares / std::max(count.near, 1));
-  return figures;
-}
-
-std::string Table(const PeopleFigures& figures) {
-  static constexpr const char* kBands[] = {"0-5 m", "5-10 m", "10-20 m"};
-  std::string text =
-      "| distance | in full view | half hidden | groups of three | false people a scan |\n"
-      "|---|---|---|---|---|\n";
-  for (std::size_t band = 0; band < figures.misses.size(); ++band) {
-    text += "| " + std::string(kBands[band]);
-    for (const Misses& misses : figures.misses[band]) {
-      char cell[64];
-      std::snprintf(cell, sizeof(cell), " | %.1f %% of %d missed", 100 * misses.share(),
-                    misses.people);
-      text += cell;
-    }
-    char cell[32];
-    std::snprintf(cell, sizeof(cell), " | %.3f |\n",
-                  static_cast<double>(figures.false_people[band]) / std::max(figures.scans, 1));
-    text += cell;
-  }
-  char end[128];
-  std::snprintf(end, sizeof(end), "\n%d scans, %.1f ms each; position within 5 m: %.2f m\n",
-                figures.scans, 1e3 * figures.seconds / std::max(figures.scans, 1),
-                figures.position_error);
-  return text + end;
+  return count.figures();
 }
 
 }  // namespace coppice::robot::training

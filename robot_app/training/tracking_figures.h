@@ -6,6 +6,7 @@
 #include <string>
 
 #include "robot_app/perception/clouds/people_finder.h"
+#include "robot_app/perception/legs/leg_finder.h"
 #include "robot_app/perception/tracking/clear_mot.h"
 #include "robot_app/perception/tracking/tracker.h"
 #include "robot_app/training/camera_pair.h"
@@ -30,24 +31,25 @@ Site TrackingHall();
 struct Senses {
   perception::PeopleFinder* lidar = nullptr;
   CameraPair* cameras = nullptr;
+  perception::LegFinder* legs = nullptr;  ///< in the scans of the planar laser, without the lidar
 };
 
 struct TrackingFigures {
-  /// Within 5 m; who is hidden by more than 70 % is optional, and with cameras alone who is not
-  /// wholly within the picture.
+  /// Within 5 m; who is hidden by more than 70 % is optional, and without the lidar who is not
+  /// wholly within a picture or where the laser looks.
   perception::ClearMot mot;
-  /// With cameras alone: also of those to whom no camera looks.
+  /// Without the lidar: also of those to whom nothing looks.
   perception::ClearMot all_round;
   double person_minutes = 0;
   double seconds = 0;  ///< of calculation
-  int turns = 0;       ///< of the lidar, or pictures
+  int turns = 0;       ///< of the lidar, or scans of the laser, or pictures
   double switches_per_person_minute() const {
     return person_minutes > 0 ? mot.switches / person_minutes : 0;
   }
 };
 
 /// Ten people in a hall of 12 m with two columns walk around the robot, cross, stop, meet and hide
-/// behind each other. The lidar gives the beat, or if it is dead the cameras do.
+/// behind each other. The lidar gives the beat, or if it is dead the laser, else the cameras.
 TrackingFigures MeasureTracking(const Senses& senses, const TrackingScenario& scenario);
 
 /// A sentence or two for people.

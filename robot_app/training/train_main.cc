@@ -6,6 +6,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "robot_app/perception/detection/mask_detector.h"
+#include "robot_app/training/leg_training.h"
 #include "robot_app/training/mask_training.h"
 #include "robot_app/training/people_training.h"
 #include "robot_app/training/place_figures.h"
@@ -22,17 +23,17 @@ constexpr CameraPeriods kWithoutLidar{0.2, 0.5};
 
 const Command kTrain{
     "coppice-train",
-    "learn to see people in clouds of the 3-D lidar, masks and places in pictures",
-    {"people|masks|vocabulary|places FILE", 2, 2},
-    "Writes FILE, a classifier of people learnt from simulated scans, one of faces\n"
-    "and masks learnt from generated pictures, of random halls, the words of\n"
-    "pictures (vocabulary) or a classifier of clouds (places) by which places are\n"
-    "recognized. With --measure it says how well FILE finds people or places on the\n"
-    "institute's floor, or faces and masks in other pictures. The same options write\n"
-    "the same file.",
+    "learn to see people in clouds and scans of lasers, masks and places in pictures",
+    {"people|legs|masks|vocabulary|places FILE", 2, 2},
+    "Writes FILE, a classifier of people in clouds or of their legs in planar scans,\n"
+    "learnt from simulated ones, one of faces and masks learnt from generated pictures,\n"
+    "of random halls, the words of pictures (vocabulary) or a classifier of clouds\n"
+    "(places) by which places are recognized. With --measure it says how well FILE\n"
+    "finds people, legs or places on the institute's floor, or faces and masks in\n"
+    "other pictures. The same options write the same file.",
     {CommandOption::Whole("--seed", "N", 1, 1000000000, "of the halls; else 1"),
      CommandOption::Whole("--scans", "N", 1, 100000,
-                          "of a round, for people, else 700; halls, for places, else 300"),
+                          "of a round, for people and legs, else 700; halls, for places, else 300"),
      CommandOption::Whole("--pictures", "N", 1, 100000,
                           "for masks, else 600, to measure 100; for words, else 400"),
      CommandOption::Whole("--rounds", "N", 1, 10, "else 3"),
@@ -55,9 +56,15 @@ std::uint64_t MeasuringSeed(const Options& options) { return SeedOf(options) + 1
 
 void Say(double share) { std::fprintf(stderr, "\r%3.0f %%", 100 * share); }
 
-void Print(const char* sensors, const TrackingFigures& figures) {
-  std::printf("%s: %s", sensors, Summary(figures).c_str());
-}
+struct SensesTried {
+  const char* name;
+  bool lidar, cameras, laser;
+};
+constexpr SensesTried kSensesTried[] = {{"lidar", true, false, false},
+                                        {"lidar and cameras", true, true, false},
+                                        {"cameras", false, true, false},
+                                        {"laser", false, false, true},
+                                        {"cameras and laser", false, true, true}};
 
 // The cameras of the shipped robot with all that is built in.
 Expected<CameraPair> MakeCameras(const std::string& classifier_file, perception::Detector& detector,
@@ -77,17 +84,28 @@ Expected<CameraPair> MakeCameras(const std::string& classifier_file, perception:
   return CameraPair(mounts, std::move(people), periods, seed);
 }
 
-int MeasureWithCameras(perception::PeopleFinder& finder, const std::string& classifier,
-                       const TrackingScenario& scenario) {
+// The sensors of the robot, each alone and with others; the cameras only if they are asked for, for
+// they take long.
+int MeasureFollowing(perception::PeopleFinder& lidar, const Options& options,
+                     const TrackingScenario& scenario) {
+  auto classifier = perception::LegClassifier::Load(COPPICE_LEGS);
+  if (!classifier) return Fail(classifier.problem());
+  perception::LegFinder laser({}, std::move(*classifier));
   auto detector = perception::MakeDetector({});
   if (!detector) return Fail(detector.problem());
-  for (perception::PeopleFinder* const lidar :
-       {&finder, static_cast<perception::PeopleFinder*>(nullptr)}) {
-    auto cameras = MakeCameras(classifier, **detector,
-                               lidar != nullptr ? kWithLidar : kWithoutLidar, scenario.seed);
+  const bool with_cameras = options.Has("--cameras");
+  std::fputs("\nTen people for a minute\n", stdout);
+  for (const SensesTried& tried : kSensesTried) {
+    if (tried.cameras && !with_cameras) continue;
+    auto cameras = MakeCameras(options.files[1], **detector,
+                               tried.lidar ? kWithLidar : kWithoutLidar, scenario.seed);
     if (!cameras) return Fail(cameras.problem());
-    Print(lidar != nullptr ? "lidar and cameras" : "cameras",
-          MeasureTracking({lidar, &*cameras}, scenario));
+    Senses senses;
+    if (tried.lidar) senses.lidar = &lidar;
+    if (tried.cameras) senses.cameras = &*cameras;
+    if (tried.laser) senses.legs = &laser;
+    std::printf("%s: %s", tried.name, Summary(MeasureTracking(senses, scenario)).c_str());
+    std::fflush(stdout);
   }
   return 0;
 }
@@ -106,9 +124,7 @@ int MeasurePeopleIn(const Options& options) {
   std::fputs(Table(MeasurePeople(finder, SiteOf(*floor), scans, seed)).c_str(), stdout);
   TrackingScenario scenario;
   scenario.seed = seed;
-  std::fputs("\nTen people for a minute\n", stdout);
-  Print("lidar", MeasureTracking({&finder, nullptr}, scenario));
-  return options.Has("--cameras") ? MeasureWithCameras(finder, options.files[1], scenario) : 0;
+  return MeasureFollowing(finder, options, scenario);
 }
 
 int TrainPeopleTo(const Options& options) {
@@ -117,6 +133,35 @@ int TrainPeopleTo(const Options& options) {
   training.scans = static_cast<int>(options.Whole("--scans", training.scans));
   training.rounds = static_cast<int>(options.Whole("--rounds", training.rounds));
   const auto classifier = TrainPeople(training, Say);
+  std::fputs("\n", stderr);
+  if (!classifier) return Fail(classifier.problem());
+  const Outcome saved = classifier->Save(options.files[1]);
+  return saved ? 0 : Fail(saved.problem());
+}
+
+int MeasureLegsIn(const Options& options) {
+  Diagnostics diagnostics;
+  const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
+  if (!floor) return Fail(diagnostics.ToString());
+  auto classifier = perception::LegClassifier::Load(options.files[1]);
+  if (!classifier) return Fail(classifier.problem());
+  perception::LegFinder finder({}, std::move(*classifier));
+  const auto scans = static_cast<int>(options.Whole("--scans", 700));
+  for (const int four_legged : {0, LegTrainingOptions{}.most_four_legged}) {
+    std::printf("%d chairs and tables on four legs at most\n", four_legged);
+    const auto figures =
+        MeasureLegs(finder, SiteOf(*floor), scans, four_legged, MeasuringSeed(options));
+    std::fputs(Table(figures).c_str(), stdout);
+  }
+  return 0;
+}
+
+int TrainLegsTo(const Options& options) {
+  LegTrainingOptions training;
+  training.seed = SeedOf(options);
+  training.scans = static_cast<int>(options.Whole("--scans", training.scans));
+  training.rounds = static_cast<int>(options.Whole("--rounds", training.rounds));
+  const auto classifier = TrainLegs(training, Say);
   std::fputs("\n", stderr);
   if (!classifier) return Fail(classifier.problem());
   const Outcome saved = classifier->Save(options.files[1]);
@@ -203,6 +248,9 @@ int Main(const std::vector<std::string>& arguments) {
   if (options.files[0] == "people") {
     return measures ? MeasurePeopleIn(options) : TrainPeopleTo(options);
   }
+  if (options.files[0] == "legs") {
+    return measures ? MeasureLegsIn(options) : TrainLegsTo(options);
+  }
   if (options.files[0] == "masks") {
     return measures ? MeasureMasksIn(options) : TrainMasksTo(options);
   }
@@ -212,7 +260,7 @@ int Main(const std::vector<std::string>& arguments) {
   if (options.files[0] == "places") {
     return measures ? MeasurePlacesIn(options) : TrainPlacesTo(options);
   }
-  return RefuseOptions(kTrain, "it can learn people, masks, a vocabulary and places, not \"" +
+  return RefuseOptions(kTrain, "it can learn people, legs, masks, a vocabulary and places, not \"" +
                                    options.files[0] + "\"");
 }
 

@@ -176,7 +176,7 @@ void MeasureClouds(int scans) {
   TrackingScenario scenario;
   scenario.seed = kSeed;
   std::printf("\nTen people for a minute: %s",
-              Summary(MeasureTracking({&finder, nullptr}, scenario)).c_str());
+              Summary(MeasureTracking({&finder, nullptr, nullptr}, scenario)).c_str());
 }
 
 void Run(const Options& options) {

@@ -10,6 +10,7 @@
 #include "robot_app/perception/people/cloud_decoder.h"
 #include "robot_app/perception/people/sighting_messages.h"
 #include "robot_app/perception/sightings/joined_sightings.h"
+#include "robot_app/perception/sightings/leg_detections.h"
 
 namespace coppice::robot::perception {
 namespace {
@@ -19,8 +20,10 @@ constexpr double kLowest = 0.2;      // the lidar is at least so high above the 
 constexpr double kHighest = 3;       // and at most [m]
 constexpr double kLidarAlive = 0.5;  // no cloud for longer: it sees nobody [s]
 constexpr double kCameraAlive = 1.5;
+constexpr double kLaserAlive = 0.5;
 constexpr double kTooFar = 0.5;  // nearer than the end of a camera's view is surely in it [m]
 constexpr std::size_t kMostCameras = 16;
+constexpr std::size_t kMostBeams = 10000;
 
 // Times behind it cannot be calculated with: ros::Time throws where it overflows.
 const ros::Time kLatest(0xFFFFFFF0, 0);
@@ -41,11 +44,21 @@ Eigen::Vector2d SeenFrom(const Pose2D& pose, const Eigen::Vector2d& at) {
 
 }  // namespace
 
-PeopleFollower::PeopleFollower(const FollowerOptions& options, PersonClassifier classifier,
+PeopleFollower::PeopleFollower(const FollowerOptions& options, Classifiers classifiers,
                                FindTransform find_transform)
     : options_(options),
-      classifier_(std::move(classifier)),
-      find_transform_(std::move(find_transform)) {}
+      classifier_(std::move(classifiers.clouds)),
+      find_transform_(std::move(find_transform)),
+      leg_finder_({}, std::move(classifiers.legs)) {}
+
+Expected<Classifiers> Classifiers::Load(const std::string& clouds_file,
+                                        const std::string& legs_file) {
+  auto clouds = PersonClassifier::Load(clouds_file);
+  if (!clouds) return Problem{clouds.problem()};
+  auto legs = LegClassifier::Load(legs_file);
+  if (!legs) return Problem{legs.problem()};
+  return Classifiers{std::move(*clouds), std::move(*legs)};
+}
 
 Outcome PeopleFollower::OnCloud(const sensor_msgs::PointCloud2& message) {
   if (message.header.stamp > kLatest) return Problem{"the cloud comes from the far future"};
@@ -62,8 +75,7 @@ Outcome PeopleFollower::OnCloud(const sensor_msgs::PointCloud2& message) {
   }
   lidar_ = mount->pose;
   cloud_time_ = (message.header.stamp + ros::Duration(kPeriod / 2)).toSec();
-  tracker_.Update(cloud_time_, detections,
-                  [this](const Eigen::Vector2d& at) { return IsOutOfSight(at); });
+  Update(cloud_time_, detections);
   return {};
 }
 
@@ -83,23 +95,65 @@ Outcome PeopleFollower::OnSightings(const coppice_msgs::Sightings& message) {
                             {message.lens.x, message.lens.y, message.lens.theta},
                             message.half_angle,
                             message.farthest};
-  tracker_.Update(time, Join(*std::move(sightings)),
-                  [this](const Eigen::Vector2d& at) { return IsOutOfSight(at); });
+  Update(time, Join(*std::move(sightings)));
   return {};
+}
+
+Expected<bool> PeopleFollower::OnScan(const sensor_msgs::LaserScan& message) {
+  if (message.header.stamp > kLatest) return Problem{"a scan comes from the far future"};
+  const double time = message.header.stamp.toSec();
+  if (first_scan_ < 0) first_scan_ = time;
+  if (IsLidarAlive(time)) return false;
+  if (message.ranges.size() > kMostBeams) {
+    return Problem{"a scan has " + std::to_string(message.ranges.size()) + " beams, at most " +
+                   std::to_string(kMostBeams) + " are looked at"};
+  }
+  LaserScan scan = ToLaserScan(message, {});
+  if (!IsUsable(scan)) return Problem{"a scan is not usable: " + WhatTells(scan)};
+  const auto mount = MountAt(message.header.frame_id, message.header.stamp);
+  if (!mount) return Problem{mount.problem()};
+  scan_ = std::move(scan);
+  laser_ = mount->pose;
+  std::vector<Detection> detections;
+  for (const SeenLegs& person : leg_finder_.Find(scan_)) {
+    // As in a turn of the lidar.
+    const ros::Duration later(std::clamp<double>(person.beam * message.time_increment, 0, 1));
+    const auto then = MountAt(message.header.frame_id, message.header.stamp + later);
+    detections.push_back(ToDetection(person, then ? then->pose : laser_));
+  }
+  Update(time, detections);
+  return true;
+}
+
+void PeopleFollower::Update(double time, const std::vector<Detection>& detections) {
+  tracker_.Update(time, detections, [this](const Eigen::Vector2d& at) { return IsOutOfSight(at); });
+}
+
+bool PeopleFollower::IsLidarAlive(double time) const {
+  return std::abs(time - cloud_time_) < kLidarAlive || std::abs(time - first_scan_) < kLidarAlive;
+}
+
+bool PeopleFollower::IsInPicture(const Eigen::Vector2d& at) const {
+  return std::any_of(views_.begin(), views_.end(), [&](const auto& camera) {
+    const View& view = camera.second;
+    const Eigen::Vector2d seen = SeenFrom(view.lens, at);
+    return std::abs(tracker_.time() - view.time) < kCameraAlive &&
+           seen.norm() < view.farthest - kTooFar &&
+           std::abs(std::atan2(seen.y(), seen.x())) < view.half_angle;
+  });
+}
+
+bool PeopleFollower::IsInScan(const Eigen::Vector2d& at) const {
+  return std::abs(tracker_.time() - scan_.stamp) < kLaserAlive &&
+         !IsHidden(scan_, leg_finder_.options().farthest, SeenFrom(laser_, at));
 }
 
 // No sensor that is alive sees that place.
 bool PeopleFollower::IsOutOfSight(const Eigen::Vector2d& at) const {
-  const double now = tracker_.time();
-  if (finder_ && std::abs(now - cloud_time_) < kLidarAlive) {
+  if (finder_ && std::abs(tracker_.time() - cloud_time_) < kLidarAlive) {
     return IsHidden(finder_->candidates().image(), SeenFrom(lidar_, at).cast<float>());
   }
-  return std::none_of(views_.begin(), views_.end(), [&](const auto& camera) {
-    const View& view = camera.second;
-    const Eigen::Vector2d seen = SeenFrom(view.lens, at);
-    return std::abs(now - view.time) < kCameraAlive && seen.norm() < view.farthest - kTooFar &&
-           std::abs(std::atan2(seen.y(), seen.x())) < view.half_angle;
-  });
+  return !IsInPicture(at) && !IsInScan(at);
 }
 
 // At that time, or the newest that is known.

@@ -1,16 +1,18 @@
-// Follows people through what the lidar and the cameras tell, message by message; the same for a
-// robot that runs and for a record of it.
+// Follows people through what the lidar, the cameras and the planar laser tell, message by message;
+// the same for a robot that runs and for a record of it.
 //
-//   PeopleFollower follower(options, std::move(*PersonClassifier::Load(file)), find_transform);
+//   PeopleFollower follower(options, *Classifiers::Load(clouds, legs), find_transform);
 //   if (Outcome done = follower.OnCloud(message); done) Publish(follower.tracker());
 //
-// Either kind of message alone is enough: when the lidar is dead the cameras go on, and the other
-// way round.
+// Each kind of message alone is enough: when the lidar is dead the cameras go on, and the other way
+// round. While the lidar tells of people, scans of the laser are not looked at: the legs in them
+// would add nothing but some false people.
 #ifndef COPPICE_ROBOT_APP_PERCEPTION_PEOPLE_PEOPLE_FOLLOWER_H_
 #define COPPICE_ROBOT_APP_PERCEPTION_PEOPLE_PEOPLE_FOLLOWER_H_
 
 #include <coppice_msgs/Sightings.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <functional>
@@ -22,6 +24,7 @@
 #include "bt_core/base/outcome.h"
 #include "robot_app/common/pose2d.h"
 #include "robot_app/perception/clouds/people_finder.h"
+#include "robot_app/perception/legs/leg_finder.h"
 #include "robot_app/perception/tracking/tracker.h"
 
 namespace coppice::robot::perception {
@@ -32,6 +35,15 @@ struct FollowerOptions {
   double farthest = 20;            ///< people are looked for so far in clouds [m]
 };
 
+/// How people look in clouds, and their legs in scans of the laser. Movable.
+struct Classifiers {
+  /// Reads two files of `coppice-train`.
+  static Expected<Classifiers> Load(const std::string& clouds_file, const std::string& legs_file);
+
+  PersonClassifier clouds;
+  LegClassifier legs;
+};
+
 /// One thread.
 class PeopleFollower {
  public:
@@ -39,7 +51,7 @@ class PeopleFollower {
   using FindTransform = std::function<Expected<geometry_msgs::TransformStamped>(
       const std::string& parent, const std::string& child, const ros::Time& time)>;
 
-  PeopleFollower(const FollowerOptions& options, PersonClassifier classifier,
+  PeopleFollower(const FollowerOptions& options, Classifiers classifiers,
                  FindTransform find_transform);
 
   /// A turn of the lidar. A problem says what is wrong with it; then nothing has changed.
@@ -47,6 +59,10 @@ class PeopleFollower {
 
   /// What is seen in a picture. What comes too late to count is left out. A problem as above.
   Outcome OnSightings(const coppice_msgs::Sightings& message);
+
+  /// A scan of the planar laser. True if it was looked at; it is if there was no cloud for half a
+  /// second. A problem as above.
+  Expected<bool> OnScan(const sensor_msgs::LaserScan& message);
 
   const Tracker& tracker() const { return tracker_; }
   /// Nothing before the first cloud.
@@ -69,6 +85,10 @@ class PeopleFollower {
 
   Expected<Mount> MountAt(const std::string& lidar, const ros::Time& time) const;
   PeopleFinder& FinderAt(double height);
+  void Update(double time, const std::vector<Detection>& detections);
+  bool IsLidarAlive(double time) const;
+  bool IsInPicture(const Eigen::Vector2d& at) const;
+  bool IsInScan(const Eigen::Vector2d& at) const;
   bool IsOutOfSight(const Eigen::Vector2d& at) const;
 
   FollowerOptions options_;
@@ -80,6 +100,10 @@ class PeopleFollower {
   Pose2D lidar_;
   double cloud_time_ = -1e9;           // of the last cloud
   std::map<std::string, View> views_;  // of the cameras, by name
+  LegFinder leg_finder_;
+  LaserScan scan_;            // that was looked at last
+  Pose2D laser_;              // at that time
+  double first_scan_ = -1e9;  // a robot that starts may hear the laser before the lidar
 };
 
 }  // namespace coppice::robot::perception

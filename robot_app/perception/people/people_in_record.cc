@@ -14,12 +14,12 @@ namespace {
 constexpr double kStep = 0.1;  // between two points of a trail [m]
 
 const std::vector<std::string> kTopics = {"/tf", "/tf_static", "/velodyne_points",
-                                          "/people/sightings"};
+                                          "/people/sightings", "/scan"};
 
 class Reader {
  public:
-  Reader(const FollowerOptions& options, PersonClassifier classifier, const OnLook& on_look)
-      : follower_(options, std::move(classifier),
+  Reader(const FollowerOptions& options, Classifiers classifiers, const OnLook& on_look)
+      : follower_(options, std::move(classifiers),
                   [this](const std::string& parent, const std::string& child,
                          const ros::Time& time) { return transforms_.Find(parent, child, time); }),
         on_look_(on_look) {}
@@ -41,6 +41,10 @@ class Reader {
       Count(follower_.OnCloud(*cloud), figures_.clouds);
     } else if (const auto sightings = message.instantiate<coppice_msgs::Sightings>()) {
       Count(follower_.OnSightings(*sightings), figures_.pictures);
+    } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
+      const auto looked = follower_.OnScan(*scan);
+      if (!looked) Count(Problem{looked.problem()}, figures_.scans);
+      if (looked && *looked) Count({}, figures_.scans);
     }
   }
 
@@ -92,14 +96,14 @@ std::string LineOf(std::uint32_t id, const PersonInRecord& person) {
 }  // namespace
 
 Expected<RecordFigures> FollowInRecord(const std::string& file, const FollowerOptions& options,
-                                       PersonClassifier classifier, const OnLook& on_look) {
+                                       Classifiers classifiers, const OnLook& on_look) {
   try {
     const rosbag::Bag bag(file, rosbag::bagmode::Read);
     rosbag::View view(bag, rosbag::TopicQuery(kTopics));
     if (view.size() == 0) {
       return Problem{file + ": nothing of /velodyne_points, /people/sightings or /tf was recorded"};
     }
-    return Reader(options, std::move(classifier), on_look).Read(view);
+    return Reader(options, std::move(classifiers), on_look).Read(view);
   } catch (const std::exception& problem) {  // of rosbag, or of a message that is no message
     return Problem{file + ": " + problem.what()};
   }
@@ -107,8 +111,9 @@ Expected<RecordFigures> FollowInRecord(const std::string& file, const FollowerOp
 
 std::string Table(const RecordFigures& figures) {
   char text[160];
-  std::snprintf(text, sizeof(text), "%d clouds, %d pictures in %.1f s; %zu people\n",
-                figures.clouds, figures.pictures, figures.seconds, figures.people.size());
+  std::snprintf(text, sizeof(text), "%d clouds, %d pictures, %d scans in %.1f s; %zu people\n",
+                figures.clouds, figures.pictures, figures.scans, figures.seconds,
+                figures.people.size());
   std::string table = text;
   if (figures.refused > 0) {
     table +=

@@ -1,10 +1,11 @@
 // Who was there in a record (rosbag) of a robot: the same that coppice-people does with what comes,
 // done with what came, as fast as it goes and without a ROS master.
 //
-//   const auto figures = FollowInRecord("run.bag", {}, std::move(*classifier), draw);
+//   const auto figures = FollowInRecord("run.bag", {}, std::move(*classifiers), draw);
 //   if (!figures) return Fail(figures.problem());
 //
-// Read are /velodyne_points, /people/sightings (what coppice-camera saw), /tf and /tf_static.
+// Read are /velodyne_points, /people/sightings (what coppice-camera saw), /scan (while there are no
+// clouds), /tf and /tf_static.
 #ifndef COPPICE_ROBOT_APP_PERCEPTION_PEOPLE_PEOPLE_IN_RECORD_H_
 #define COPPICE_ROBOT_APP_PERCEPTION_PEOPLE_PEOPLE_IN_RECORD_H_
 
@@ -31,6 +32,7 @@ struct PersonInRecord {
 struct RecordFigures {
   int clouds = 0;
   int pictures = 0;                                ///< messages of /people/sightings
+  int scans = 0;                                   ///< that were looked at
   int refused = 0;                                 ///< messages with which something is wrong
   std::string problem;                             ///< of the first of them
   double seconds = 0;                              ///< that the record lasts
@@ -43,7 +45,7 @@ using OnLook =
 
 /// A problem if the file is no record, or damaged. Messages that nobody can use are counted.
 Expected<RecordFigures> FollowInRecord(const std::string& file, const FollowerOptions& options,
-                                       PersonClassifier classifier, const OnLook& on_look = {});
+                                       Classifiers classifiers, const OnLook& on_look = {});
 
 /// For people: how much was read, and a line for each person.
 std::string Table(const RecordFigures& figures);

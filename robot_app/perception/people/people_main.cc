@@ -21,7 +21,8 @@ namespace {
 constexpr char kHelp[] =
     "coppice-people: finds people in clouds of the 3-D lidar, joins them with those whom\n"
     "coppice-camera sees in pictures, and follows them, as the ROS node /people_tracker.\n"
-    "  subscribes  /velodyne_points /people/sightings /tf /tf_static (of the lidar)\n"
+    "While there are no clouds, it finds them by their legs in scans of the planar laser.\n"
+    "  subscribes  /velodyne_points /people/sightings /scan /tf /tf_static (of lidar and laser)\n"
     "  publishes   /people (coppice_msgs/People), /people/markers (for RViz), /diagnostics\n"
     "coppice-people --offline FILE.bag: who was there in a record; --offline --help says more.\n";
 
@@ -32,25 +33,29 @@ constexpr char kShipped[] = "shipped";
 
 struct Settings {
   std::string classifier = kShipped;
+  std::string leg_classifier = kShipped;
   bool cameras = true;
+  bool laser = true;
   FollowerOptions following;
 };
 
 Parameters ParametersOf(Settings& settings) {
   FollowerOptions& following = settings.following;
   return {{"classifier", &settings.classifier, "a file that coppice-train made"},
+          {"leg_classifier", &settings.leg_classifier, "the same for scans of the laser"},
           {"frame", &following.frame, "in which people are followed; it must not move"},
           {"least_probability", &following.least_probability, 0.05, 0.99,
            "from which a cluster is a person"},
           {"farthest", &following.farthest, 1, 50, "people are looked for so far [m]"},
-          {"cameras", &settings.cameras, "joins what coppice-camera sees"}};
+          {"cameras", &settings.cameras, "joins what coppice-camera sees"},
+          {"laser", &settings.laser, "looks for legs while there are no clouds"}};
 }
 
 class PeopleNode {
  public:
-  PeopleNode(const Settings& settings, PersonClassifier classifier)
+  PeopleNode(const Settings& settings, Classifiers classifiers)
       : settings_(settings),
-        follower_(settings.following, std::move(classifier),
+        follower_(settings.following, std::move(classifiers),
                   [this](const std::string& parent, const std::string& child,
                          const ros::Time& time) { return transforms_.Find(parent, child, time); }) {
     people_ = node_.advertise<coppice_msgs::People>("/people", 5);
@@ -64,6 +69,11 @@ class PeopleNode {
       sightings_subscriber_ = node_.subscribe<coppice_msgs::Sightings>(
           "/people/sightings", 4,
           [this](const coppice_msgs::Sightings::ConstPtr& message) { OnSightings(*message); });
+    }
+    if (settings_.laser) {
+      scans_subscriber_ = node_.subscribe<sensor_msgs::LaserScan>(
+          "/scan", 1,
+          [this](const sensor_msgs::LaserScan::ConstPtr& message) { OnScan(*message); });
     }
     state_timer_ = node_.createWallTimer(ros::WallDuration(kStatePeriod),
                                          [this](const ros::WallTimerEvent&) { PublishState(); });
@@ -90,6 +100,14 @@ class PeopleNode {
     if (SilenceOfLidar() > kSilence) Publish();
   }
 
+  void OnScan(const sensor_msgs::LaserScan& message) {
+    const auto looked = follower_.OnScan(message);
+    scan_problem_ = looked.problem();
+    if (!looked || !*looked) return;
+    ++scans_;
+    Publish();
+  }
+
   void Publish() {
     const coppice_msgs::People people = ToMessage(follower_.tracker(), settings_.following.frame);
     people_.publish(people);
@@ -101,7 +119,8 @@ class PeopleNode {
   // What is wrong; empty: nothing.
   std::string Complaint() const {
     if (SilenceOfLidar() > kSilence) return "no clouds on " + clouds_subscriber_.getTopic();
-    return !problem_.empty() ? problem_ : sightings_problem_;
+    if (!problem_.empty()) return problem_;
+    return !sightings_problem_.empty() ? sightings_problem_ : scan_problem_;
   }
 
   void PublishState() {
@@ -121,6 +140,7 @@ class PeopleNode {
                                                [](const Track& one) { return one.is_confirmed; })));
     add("clouds", std::to_string(clouds_));
     add("pictures", std::to_string(pictures_));
+    add("scans", std::to_string(scans_));
     add("per cloud [ms]", std::to_string(clouds_ > 0 ? 1e3 * calculated_ / clouds_ : 0));
     diagnostic_msgs::DiagnosticArray message;
     message.header.stamp = ros::Time::now();
@@ -134,22 +154,27 @@ class PeopleNode {
   PeopleFollower follower_;
   std::string problem_;            // of the last cloud
   std::string sightings_problem_;  // of the last sightings
+  std::string scan_problem_;       // of the last scan
   ros::WallTime last_cloud_ = ros::WallTime::now();
-  std::uint64_t clouds_ = 0, pictures_ = 0;
-  double calculated_ = 0;  // s, for all clouds
+  std::uint64_t clouds_ = 0, pictures_ = 0, scans_ = 0;  // that were looked at
+  double calculated_ = 0;                                // s, for all clouds
   ros::Publisher people_, markers_, diagnostics_;
-  ros::Subscriber clouds_subscriber_, sightings_subscriber_;
+  ros::Subscriber clouds_subscriber_, sightings_subscriber_, scans_subscriber_;
   ros::WallTimer state_timer_;
 };
 
+std::string FileOf(const std::string& setting, const char* shipped) {
+  return setting == kShipped ? shipped : setting;
+}
+
 int Run(const Settings& settings) {
-  const bool is_shipped = settings.classifier == kShipped;
-  auto classifier = PersonClassifier::Load(is_shipped ? COPPICE_CLASSIFIER : settings.classifier);
-  if (!classifier) {
-    ROS_ERROR("%s", classifier.problem().c_str());
+  auto classifiers = Classifiers::Load(FileOf(settings.classifier, COPPICE_CLASSIFIER),
+                                       FileOf(settings.leg_classifier, COPPICE_LEGS));
+  if (!classifiers) {
+    ROS_ERROR("%s", classifiers.problem().c_str());
     return 1;
   }
-  const PeopleNode node(settings, std::move(*classifier));
+  const PeopleNode node(settings, std::move(*classifiers));
   ros::spin();
   return 0;
 }
@@ -160,6 +185,6 @@ int Run(const Settings& settings) {
 int main(int argc, char** argv) {
   using namespace coppice::robot::perception;  // NOLINT: the whole program
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (IsAboutRecord(arguments)) return LookIntoRecord(arguments, COPPICE_CLASSIFIER);
+  if (IsAboutRecord(arguments)) return LookIntoRecord(arguments, COPPICE_CLASSIFIER, COPPICE_LEGS);
   return coppice::robot::RunNode<Settings>(argc, argv, "people_tracker", kHelp, Run);
 }

@@ -25,8 +25,8 @@ const Command kCommand{
     "coppice-people",
     "finds people in a record (rosbag) and follows them",
     {},
-    "Reads /velodyne_points, /people/sightings, /tf and /tf_static as fast as it goes,\n"
-    "without a ROS master, and prints who was there. With --pictures it also draws what\n"
+    "Reads /velodyne_points, /people/sightings, /scan, /tf and /tf_static as fast as it\n"
+    "goes, without a ROS master, and prints who was there. With --pictures it also draws what\n"
     "the lidar saw from above, with people and their ways: 00000.jpg, 00001.jpg ...\n"
     "A film of them: ffmpeg -framerate 10 -i FOLDER/%05d.jpg people.mp4",
     {CommandOption::Text(kOffline, "FILE", "the record").Needed(),
@@ -34,6 +34,7 @@ const Command kCommand{
      CommandOption::Real("--every", "SECONDS", 0.05, 3600, "between two pictures; else 1"),
      CommandOption::Text("--frame", "NAME", "that does not move; else odom"),
      CommandOption::Text("--classifier", "FILE", "that coppice-train made"),
+     CommandOption::Text("--leg-classifier", "FILE", "the same for scans of the laser"),
      CommandOption::Whole("--memory", "MIB", 16, 1 << 20, "that it may take; else 240")}};
 
 int Fail(const std::string& problem) {
@@ -115,15 +116,16 @@ class Pictures {
   std::string problem_;
 };
 
-int Look(const Options& options, const std::string& classifier_file) {
-  auto classifier = PersonClassifier::Load(options.Get("--classifier", classifier_file));
-  if (!classifier) return Fail(classifier.problem());
+int Look(const Options& options, const std::string& clouds_file, const std::string& legs_file) {
+  auto classifiers = Classifiers::Load(options.Get("--classifier", clouds_file),
+                                       options.Get("--leg-classifier", legs_file));
+  if (!classifiers) return Fail(classifiers.problem());
   Pictures pictures(options.Get("--pictures"), options.Real("--every", 1));
   if (Outcome begun = pictures.Begin(); !begun) return Fail(begun.problem());
   FollowerOptions following;
   following.frame = options.Get("--frame", following.frame);
   const auto figures =
-      FollowInRecord(options.Get(kOffline), following, std::move(*classifier),
+      FollowInRecord(options.Get(kOffline), following, std::move(*classifiers),
                      [&](double time, const PeopleFollower& follower, const RecordFigures& so_far) {
                        pictures.Look(time, follower, so_far);
                      });
@@ -140,7 +142,8 @@ bool IsAboutRecord(const std::vector<std::string>& arguments) {
                      [](const std::string& argument) { return argument.rfind(kOffline, 0) == 0; });
 }
 
-int LookIntoRecord(const std::vector<std::string>& arguments, const std::string& classifier_file) {
+int LookIntoRecord(const std::vector<std::string>& arguments, const std::string& clouds_file,
+                   const std::string& legs_file) {
   const bool asks_for_help =
       std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
   const Options options =
@@ -149,7 +152,7 @@ int LookIntoRecord(const std::vector<std::string>& arguments, const std::string&
   // rosbag believes what a record says of itself, and crashes at some that are damaged.
   const auto memory = static_cast<std::size_t>(options.Whole("--memory", 240)) << 20;
   const Expected<int> looked =
-      RunApart([&] { return Look(options, classifier_file); }, {memory, {}});
+      RunApart([&] { return Look(options, clouds_file, legs_file); }, {memory, {}});
   if (looked) return *looked;
   return Fail(options.Get(kOffline) + ": the record is damaged: who reads it " + looked.problem() +
               ", or it takes more memory than --memory says");

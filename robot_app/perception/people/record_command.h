@@ -10,8 +10,10 @@ namespace coppice::robot::perception {
 /// Whether the arguments ask for it.
 bool IsAboutRecord(const std::vector<std::string>& arguments);
 
-/// Returns the exit status. `classifier_file` is used unless the arguments name another.
-int LookIntoRecord(const std::vector<std::string>& arguments, const std::string& classifier_file);
+/// Returns the exit status. The files of `coppice-train people` and `legs` are used unless the
+/// arguments name others.
+int LookIntoRecord(const std::vector<std::string>& arguments, const std::string& clouds_file,
+                   const std::string& legs_file);
 
 }  // namespace coppice::robot::perception
 

@@ -26,7 +26,10 @@ double Evidence(double probability) {
   return std::log(p / (1 - p));
 }
 
-std::size_t Index(Modality modality) { return modality == Modality::kLidar ? 0 : 1; }
+std::size_t Index(Modality modality) {
+  const auto found = std::find(kModalities.begin(), kModalities.end(), modality);
+  return static_cast<std::size_t>(found - kModalities.begin());
+}
 
 // What a sensor tells of a person now that saw him `age` ago: where he was then.
 Eigen::Matrix<double, 2, 4> Measured(double age) {
@@ -131,7 +134,7 @@ void Tracker::Correct(Track& track, const Detection& detection, double age) cons
   seen = std::max(seen, time_ - age);
   track.last_seen = std::max(track.last_seen, seen);
   track.modalities = 0;
-  for (const Modality modality : {Modality::kLidar, Modality::kCamera}) {
+  for (const Modality modality : kModalities) {
     if (time_ - track.seen_by[Index(modality)] <= kRecently) {
       track.modalities |= static_cast<std::uint8_t>(modality);
     }
@@ -161,8 +164,8 @@ void Tracker::Begin(const Detection& detection, double age) {
 bool Tracker::IsGone(const Track& track, const IsHidden& is_hidden) const {
   const double unseen = time_ - track.last_seen;
   if (!track.is_confirmed) {
-    const bool by_lidar = track.seen_by[Index(Modality::kLidar)] > 0;
-    return unseen > (by_lidar ? options_.tentative : options_.tentative_in_pictures);
+    const bool in_pictures = track.modalities == static_cast<std::uint8_t>(Modality::kCamera);
+    return unseen > (in_pictures ? options_.tentative_in_pictures : options_.tentative);
   }
   if (unseen <= options_.forgotten) return false;
   return unseen > options_.hidden || !is_hidden(track.position());

@@ -10,6 +10,7 @@
 #define COPPICE_ROBOT_APP_PERCEPTION_TRACKING_TRACKER_H_
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,7 +18,9 @@
 
 namespace coppice::robot::perception {
 
-enum class Modality : std::uint8_t { kLidar = 1, kCamera = 2 };
+enum class Modality : std::uint8_t { kLidar = 1, kCamera = 2, kLaser = 4 };
+inline constexpr std::array<Modality, 3> kModalities{Modality::kLidar, Modality::kCamera,
+                                                     Modality::kLaser};
 
 /// Somebody seen at one moment by one sensor.
 struct Detection {
@@ -47,7 +50,7 @@ struct Track {
   // For the tracker: how sure it is that there is somebody, as the logarithm of the odds; when each
   // sensor saw the person last; faces with mask less faces without.
   double evidence = 0;
-  double seen_by[2] = {-1e9, -1e9};
+  std::array<double, kModalities.size()> seen_by{-1e9, -1e9, -1e9};
   int mask_votes = 0;
 };
 

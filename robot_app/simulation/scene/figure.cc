@@ -43,4 +43,14 @@ std::vector<Figure> MakeFigures(const std::vector<Stance>& stances) {
   return figures;
 }
 
+std::vector<Disc> SlicesAt(double height, const std::vector<Figure>& figures) {
+  std::vector<Disc> discs;
+  for (const Figure& figure : figures) {
+    for (const Pillar& part : figure.parts) {
+      if (height >= part.bottom && height < part.top) discs.push_back(part.disc);
+    }
+  }
+  return discs;
+}
+
 }  // namespace coppice::robot::simulation

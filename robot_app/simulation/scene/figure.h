@@ -39,6 +39,9 @@ struct Stance {
 Figure MakeFigure(const Stance& stance);
 std::vector<Figure> MakeFigures(const std::vector<Stance>& stances);
 
+/// What a level plane at `height` [m] cuts of the figures: below the hips the legs.
+std::vector<Disc> SlicesAt(double height, const std::vector<Figure>& figures);
+
 }  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_SCENE_FIGURE_H_

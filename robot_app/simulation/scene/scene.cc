@@ -76,6 +76,14 @@ void StillScene::AddBox(const Rectangle& shape, double height, Material material
   }
 }
 
+std::vector<Segment> EdgesFrom(double height, const StillScene& still) {
+  std::vector<Segment> edges;
+  for (const Panel& panel : still.panels) {
+    if (panel.top >= height) edges.push_back(panel.edge);
+  }
+  return edges;
+}
+
 Scene::Scene(StillScene still) : still_(std::move(still)), edges_(EdgesOf(still_.panels)) {}
 
 void Scene::CastFan(const Vec3& origin, Vec2 direction, const std::vector<double>& slopes,

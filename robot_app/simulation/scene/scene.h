@@ -54,6 +54,9 @@ struct StillScene {
   double light = 1;  ///< for cameras: 1 with all lamps on, 0.02 nearly dark
 };
 
+/// Of the panels that reach up to `height` [m], where a level ray can meet them.
+std::vector<Segment> EdgesFrom(double height, const StillScene& still);
+
 /// Where a ray ends.
 struct Hit {
   double range = std::numeric_limits<double>::infinity();  ///< on the floor [m]; infinity: nowhere

@@ -270,6 +270,16 @@ TEST(World, PeopleNeverPushTheRobot) {
   }
 }
 
+TEST(World, TheLaserLooksBetweenTheLegsOfWhoStandsBeforeIt) {
+  Floor floor = MakeRoom();
+  floor.people = {{"anna", 1.2, {{12, 0}, {18, 0}}}};
+  const World world(floor, At(10, 0, 0));
+  const std::vector<float>& ranges = world.scan().ranges;
+  EXPECT_NEAR(ranges[270], 9.75, 0.05);  // the wall behind
+  EXPECT_NEAR(ranges[273], 1.7, 0.1);    // 1.5 degrees aside
+  EXPECT_NEAR(ranges[267], 1.7, 0.1);
+}
+
 TEST(World, OdometryDoesNotNoticeAKidnapping) {
   World world(MakeRoom(), At(5, 0, 0));
   Drive(world, {0.5, 0}, 2);

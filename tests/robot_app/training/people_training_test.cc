@@ -65,15 +65,5 @@ TEST(PeopleTraining, FewerPeopleAreMissedWithThePictureThanWithDistanceAlone) {
   EXPECT_LT(MissedNear(WithPicture()), MissedNear(MeasureShipped(false, 200)));
 }
 
-TEST(PeopleTraining, TheTableNamesDistancesAndOcclusions) {
-  PeopleFigures figures;
-  figures.scans = 10;
-  figures.misses[0][1] = {20, 1};
-  figures.false_people[2] = 3;
-  const std::string table = Table(figures);
-  EXPECT_NE(table.find("| 0-5 m | 0.0 % of 0 missed | 5.0 % of 20 missed |"), std::string::npos);
-  EXPECT_NE(table.find("| 0.300 |"), std::string::npos) << table;
-}
-
 }  // namespace
 }  // namespace coppice::robot::training

@@ -107,7 +107,7 @@ TEST(PerceptionPictures, TheWaysOfPeopleOverTheFloor) {
     }
   };
   perception::PeopleFinder finder = Finder();
-  MeasureTracking({&finder, nullptr}, scenario);
+  MeasureTracking({&finder, nullptr, nullptr}, scenario);
   EXPECT_GE(trails.size(), 8u);
   EXPECT_LE(trails.size(), 16u);
 

@@ -28,7 +28,7 @@ const std::vector<TrackingFigures>& Crowds() {
       scenario.seconds = 40;
       scenario.seed = seed;
       perception::PeopleFinder finder = Shipped();
-      figures.push_back(MeasureTracking({&finder, nullptr}, scenario));
+      figures.push_back(MeasureTracking({&finder, nullptr, nullptr}, scenario));
     }
     return figures;
   }();
@@ -53,25 +53,36 @@ TEST(TrackingFigures, TheyHardlyEverGetAnotherNumber) {
   EXPECT_LE(switches / person_minutes, 0.5);
 }
 
-// The front and the rear camera, as they look while the lidar is dead.
-TrackingFigures WithCamerasAlone() {
+// The front and the rear camera as they look while the lidar is dead, alone or with the laser.
+TrackingFigures WithoutTheLidar(bool with_laser) {
   std::vector<perception::PeopleInPictures> people;
   const auto detector = perception::MakeDetector({});
   EXPECT_TRUE(detector) << detector.problem();
   for (int i = 0; i < 2; ++i) people.emplace_back(**detector, ShippedClassifier());
   const std::vector<Mount> mounts = {{{0.17, 0, 0}, 1.4}, {{-0.17, 0, simulation::kPi}, 1.4}};
   CameraPair cameras(mounts, std::move(people), {0.2, 2}, 31);
+  auto legs = perception::LegClassifier::Load(SourceFolder() +
+                                              "/robot_app/perception/data/legs_in_scans.yaml");
+  EXPECT_TRUE(legs) << legs.problem();
+  perception::LegFinder laser({}, std::move(*legs));
   TrackingScenario scenario;
   scenario.seconds = 20;
   scenario.seed = 31;
-  return MeasureTracking({nullptr, &cameras}, scenario);
+  return MeasureTracking({nullptr, &cameras, with_laser ? &laser : nullptr}, scenario);
 }
 
 TEST(TrackingFigures, WithoutTheLidarWhoIsBeforeACameraIsFollowed) {
-  const TrackingFigures figures = WithCamerasAlone();
+  const TrackingFigures figures = WithoutTheLidar(false);
   EXPECT_GT(figures.mot.people, 100);
   EXPECT_GE(figures.mot.mota(), 0.75) << Summary(figures);
   EXPECT_LE(figures.mot.position_error(), 0.12) << Summary(figures);
+}
+
+TEST(TrackingFigures, WithoutTheLidarEverybodyAroundIsFollowedByCamerasAndLegs) {
+  const TrackingFigures figures = WithoutTheLidar(true);
+  EXPECT_GT(figures.all_round.people, 800);
+  EXPECT_GE(figures.all_round.mota(), 0.75) << Summary(figures);
+  EXPECT_LE(figures.all_round.position_error(), 0.12) << Summary(figures);
 }
 
 TEST(TrackingFigures, InAnEmptyHallNobodyIsFollowed) {
@@ -79,7 +90,7 @@ TEST(TrackingFigures, InAnEmptyHallNobodyIsFollowed) {
   scenario.people = 0;
   scenario.seconds = 20;
   perception::PeopleFinder finder = Shipped();
-  const TrackingFigures figures = MeasureTracking({&finder, nullptr}, scenario);
+  const TrackingFigures figures = MeasureTracking({&finder, nullptr, nullptr}, scenario);
   EXPECT_GT(figures.turns, 100);
   EXPECT_EQ(figures.mot.extra, 0);
 }

@@ -70,6 +70,23 @@ TEST_F(PeopleNodeTest, WhoWalksByIsFollowed) {
   EXPECT_TRUE(Eventually([&] { return Diagnosis() == "looking for people"; }, 5)) << Diagnosis();
 }
 
+TEST_F(PeopleNodeTest, WithoutCloudsWhoWalksByIsFollowedByTheLegs) {
+  StartSimulator();
+  StartPeople({"_frame:=map", "/velodyne_points:=/nothing"});
+  const auto legs_are_followed = [&] {
+    const auto people = people_.get();
+    if (!people) return false;
+    for (const auto& person : people->people) {
+      const double speed = std::hypot(person.velocity.x, person.velocity.y);
+      if (person.seen_by == coppice_msgs::Person::LASER && person.known_for > 1 && speed > 0.6) {
+        return true;
+      }
+    }
+    return false;
+  };
+  EXPECT_TRUE(Eventually(legs_are_followed, kPatience)) << Diagnosis();
+}
+
 TEST_F(PeopleNodeTest, SaysThatThereAreNoClouds) {
   StartPeople();
   EXPECT_TRUE(Eventually([&] { return Diagnosis() == "no clouds on /velodyne_points"; }, kPatience))

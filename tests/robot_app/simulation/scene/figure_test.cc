@@ -48,5 +48,14 @@ TEST(Figure, TurnsWithTheHeading) {
   EXPECT_GT(MakeFigure(stance).parts[0].disc.center.y, 0.2);
 }
 
+TEST(Figure, ALevelPlaneCutsTwoLegsBelowTheHipsAndTorsoAndArmsAbove) {
+  const std::vector<Figure> figures = MakeFigures({Walking(0.35)});
+  const std::vector<Disc> legs = SlicesAt(0.3, figures);
+  ASSERT_EQ(legs.size(), 2U);
+  EXPECT_NEAR(Length(legs[0].center - legs[1].center), 0.48, 0.01);
+  EXPECT_EQ(SlicesAt(1.2, figures).size(), 3U);
+  EXPECT_TRUE(SlicesAt(2, figures).empty());
+}
+
 }  // namespace
 }  // namespace coppice::robot::simulation
