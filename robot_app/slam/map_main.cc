@@ -1,10 +1,12 @@
 // coppice-map: what is in a map of many sessions; paints it and writes the grid that the map server
 // reads.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "bt_core/base/command_line.h"
@@ -33,11 +35,23 @@ const Command kMap{
      CommandOption::Real("--resolution", "M", 0.02, 1, "of voxels and plan; else 0.1"),
      CommandOption::Whole("--session", "N", 1, 1000000,
                           "show the map in which this session lies; else 1"),
-     CommandOption::Whole("--memory", "MIB", 16, 1 << 20, "that it may take; else 240")}};
+     CommandOption::Whole("--memory", "MIB", 16, 1 << 20,
+                          "that it may take; else 200, and 12 times the file")}};
 
 int Fail(const std::string& problem) {
   std::fprintf(stderr, "coppice-map: %s\n", problem.c_str());
   return 1;
+}
+
+// Bytes of the file, or of the largest one in the folder.
+std::size_t LargestIn(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::uintmax_t largest = fs::is_regular_file(name, error) ? fs::file_size(name, error) : 0;
+  for (const auto& entry : fs::directory_iterator(name, error)) {
+    if (entry.is_regular_file(error)) largest = std::max(largest, entry.file_size(error));
+  }
+  return std::min<std::uintmax_t>(largest, std::size_t{4} << 30);
 }
 
 Expected<LoadedMap> Load(const std::string& name) {
@@ -115,10 +129,19 @@ int Show(const Options& options) {
   return options.Has("--plan") || options.Has("--voxels") ? Paint(*loaded, options) : 0;
 }
 
+// A small file may claim to be a large map.
+std::size_t MemoryFor(const Options& options) {
+  constexpr std::size_t kMegabyte = std::size_t{1} << 20;
+  if (options.Has("--memory")) {
+    return static_cast<std::size_t>(options.Whole("--memory", 0)) * kMegabyte;
+  }
+  return 200 * kMegabyte + 12 * LargestIn(options.files[0]);
+}
+
 int Main(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(kMap, arguments);
   if (options.exit) return *options.exit;
-  LimitMemory(static_cast<std::size_t>(options.Whole("--memory", 240)) << 20);
+  LimitMemory(MemoryFor(options));
   try {
     return Show(options);
   } catch (const std::bad_alloc&) {

@@ -7,7 +7,7 @@
 namespace coppice::fuzz {
 
 int FuzzMap(std::string_view bytes) {
-  const auto map = robot::slam::ParseSlamMap(std::string(bytes));
+  const auto map = robot::slam::ParseSlamMap(bytes);
   if (!map) return 0;
   const std::size_t frames = map->key_frames.size();
   if (map->sessions.size() != frames || map->graph.poses.size() != frames) std::abort();

@@ -6,6 +6,8 @@
 
 #if COPPICE_FUZZ_ROBOT
 #include "tests/fuzz/perception_seeds.h"
+#endif
+#if COPPICE_FUZZ_FILES
 #include "tests/fuzz/robot_file_seeds.h"
 #endif
 
@@ -15,12 +17,14 @@ int main(int argc, char** argv) {
   auto seeds = coppice::fuzz::AllSeeds();
 #if COPPICE_FUZZ_ROBOT
   seeds.emplace_back("cloud", coppice::fuzz::SomeCloud());
+  seeds.emplace_back("picture", coppice::fuzz::SomeColourPicture());
+  seeds.emplace_back("picture", coppice::fuzz::SomeDepthPicture());
+#endif
+#if COPPICE_FUZZ_FILES
   seeds.emplace_back("map", coppice::fuzz::SomeMap());
   seeds.emplace_back("message", coppice::fuzz::SomeMessage());
   seeds.emplace_back("wav", coppice::fuzz::SomeWav());
   seeds.emplace_back("wav", coppice::fuzz::SomePackedWav());
-  seeds.emplace_back("picture", coppice::fuzz::SomeColourPicture());
-  seeds.emplace_back("picture", coppice::fuzz::SomeDepthPicture());
 #endif
   for (const auto& [name, input] : seeds) {
     const auto folder = std::filesystem::path(argv[1]) / name;

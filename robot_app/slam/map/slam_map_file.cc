@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <type_traits>
 
-#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 
 namespace coppice::robot::slam {
@@ -20,11 +22,24 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kHeader[] = "coppice slam map 1\n";
-constexpr int kKept = 3;                 // versions
-constexpr int kLevel = 3;                // of compression
-constexpr std::size_t kMostRatio = 100;  // of compression: more is no map
-constexpr double kFarthest = 1000;       // range of a key frame [m]
+constexpr int kKept = 3;                                   // versions
+constexpr int kLevel = 3;                                  // of compression
+constexpr std::size_t kMostRatio = 20;                     // of compression: more is no map
+constexpr std::size_t kSmall = std::size_t{1} << 20;       // bytes, of whatever ratio
+constexpr std::size_t kLongestMap = std::size_t{2} << 30;  // bytes of a file
+constexpr double kFarthest = 1000;                         // range of a key frame [m]
 constexpr std::int16_t kNone = std::numeric_limits<std::int16_t>::min();
+
+// A map of half a kilometre is larger than kLargestAllocation lets a vector be (it is for messages).
+template <typename T>
+struct AnySize {
+  using value_type = T;
+  T* allocate(std::size_t count) { return new T[count]; }
+  void deallocate(T* memory, std::size_t) { delete[] memory; }
+  bool operator==(const AnySize&) const { return true; }
+  bool operator!=(const AnySize&) const { return false; }
+};
+using Bytes = std::basic_string<char, std::char_traits<char>, AnySize<char>>;
 
 std::int16_t ToCentimetres(float metres) {
   if (!std::isfinite(metres) || std::abs(metres) > 300) return kNone;
@@ -58,16 +73,16 @@ class Writer {
       for (int i = 0; i < 3; ++i) Put(ToCentimetres(point(i)));
     }
   }
-  const std::string& bytes() const { return bytes_; }
+  const Bytes& bytes() const { return bytes_; }
 
  private:
-  std::string bytes_;
+  Bytes bytes_;
 };
 
 // What is read beyond the end is zero, and failed() says so.
 class Reader {
  public:
-  explicit Reader(const std::string& bytes) : bytes_(bytes) {}
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
 
   template <typename T>
   T Get() {
@@ -90,7 +105,7 @@ class Reader {
   std::string GetText() {
     const std::size_t size = GetSize(1);
     at_ += size;
-    return bytes_.substr(at_ - size, size);
+    return std::string(bytes_.substr(at_ - size, size));
   }
   template <typename Matrix>
   void GetMatrix(Matrix& matrix) {
@@ -110,7 +125,7 @@ class Reader {
   void Fail() { failed_ = true; }
 
  private:
-  const std::string& bytes_;
+  const std::string_view bytes_;
   std::size_t at_ = 0;
   bool failed_ = false;
 };
@@ -188,25 +203,58 @@ Link GetLink(std::size_t poses, Reader& reader) {
   return link;
 }
 
-std::string Compressed(const std::string& bytes) {
-  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+void Write(const SlamMap& map, Writer& writer) {
+  writer.PutSize(map.names.size());
+  for (const SessionName& session : map.names) {
+    writer.PutText(session.name);
+    writer.Put(session.begin);
+  }
+  writer.PutSize(map.key_frames.size());
+  for (std::size_t i = 0; i < map.key_frames.size(); ++i) {
+    writer.Put(map.sessions[i]);
+    PutPose(map.graph.poses[i], writer);
+    PutKeyFrame(*map.key_frames[i], writer);
+  }
+  writer.PutSize(map.graph.links.size());
+  for (const Link& link : map.graph.links) PutLink(link, writer);
+}
+
+// What goes into a file.
+Bytes Packed(const Bytes& bytes) {
+  const std::size_t header = std::strlen(kHeader);
+  Bytes packed(header + ZSTD_compressBound(bytes.size()), '\0');
+  std::memcpy(packed.data(), kHeader, header);
   ZSTD_CCtx* const context = ZSTD_createCCtx();
   ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel);
   ZSTD_CCtx_setParameter(context, ZSTD_c_checksumFlag, 1);
-  packed.resize(ZSTD_compress2(context, packed.data(), packed.size(), bytes.data(), bytes.size()));
+  packed.resize(header + ZSTD_compress2(context, packed.data() + header, packed.size() - header,
+                                        bytes.data(), bytes.size()));
   ZSTD_freeCCtx(context);
   return packed;
 }
 
-std::optional<std::string> Unpacked(const char* packed, std::size_t size) {
-  const unsigned long long whole = ZSTD_getFrameContentSize(packed, size);
+std::optional<Bytes> Unpacked(std::string_view packed) {
+  const unsigned long long whole = ZSTD_getFrameContentSize(packed.data(), packed.size());
   if (whole == ZSTD_CONTENTSIZE_ERROR || whole == ZSTD_CONTENTSIZE_UNKNOWN ||
-      whole > kMostRatio * size) {
+      whole > kMostRatio * packed.size() + kSmall) {
     return std::nullopt;
   }
-  std::string bytes(whole, '\0');
-  const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), packed, size);
+  Bytes bytes(whole, '\0');
+  const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
   if (ZSTD_isError(got) || got != whole) return std::nullopt;
+  return bytes;
+}
+
+// As ReadFile, of any size.
+std::optional<Bytes> ReadBytes(const std::string& path) {
+  std::error_code error;
+  const bool is_file = fs::is_regular_file(path, error);
+  const std::uintmax_t size = is_file ? fs::file_size(path, error) : 0;
+  if (!is_file || error || size > kLongestMap) return std::nullopt;
+  Bytes bytes(size, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (!stream) return std::nullopt;
   return bytes;
 }
 
@@ -239,23 +287,11 @@ std::string PathOf(const std::string& folder, int version) {
 
 std::string BytesOf(const SlamMap& map) {
   Writer writer;
-  writer.PutSize(map.names.size());
-  for (const SessionName& session : map.names) {
-    writer.PutText(session.name);
-    writer.Put(session.begin);
-  }
-  writer.PutSize(map.key_frames.size());
-  for (std::size_t i = 0; i < map.key_frames.size(); ++i) {
-    writer.Put(map.sessions[i]);
-    PutPose(map.graph.poses[i], writer);
-    PutKeyFrame(*map.key_frames[i], writer);
-  }
-  writer.PutSize(map.graph.links.size());
-  for (const Link& link : map.graph.links) PutLink(link, writer);
-  return writer.bytes();
+  Write(map, writer);
+  return std::string(writer.bytes());
 }
 
-std::optional<SlamMap> ParseSlamMap(const std::string& bytes) {
+std::optional<SlamMap> ParseSlamMap(std::string_view bytes) {
   Reader reader(bytes);
   SlamMap map;
   map.names.resize(reader.GetSize(12));
@@ -289,7 +325,9 @@ Expected<int> SaveSlamMap(const std::string& folder, const SlamMap& map) {
   std::vector<int> versions = VersionsIn(folder);
   const int version = versions.empty() ? 1 : versions.back() + 1;
   Diagnostics diagnostics;
-  if (!WriteFile(PathOf(folder, version), kHeader + Compressed(BytesOf(map)), diagnostics)) {
+  Writer writer;
+  Write(map, writer);
+  if (!WriteFile(PathOf(folder, version), Packed(writer.bytes()), diagnostics)) {
     return Problem{diagnostics.ToString()};
   }
   versions.push_back(version);
@@ -302,14 +340,14 @@ Expected<int> SaveSlamMap(const std::string& folder, const SlamMap& map) {
 bool HasSlamMap(const std::string& folder) { return !VersionsIn(folder).empty(); }
 
 Expected<SlamMap> ReadSlamMap(const std::string& file) {
-  const auto text = ReadFile(file);
+  const auto text = ReadBytes(file);
   if (!text) return Problem{file + ": cannot be read"};
-  const std::size_t header = std::strlen(kHeader);
-  if (text->compare(0, header, kHeader) != 0) {
+  const std::string_view header = kHeader;
+  if (text->compare(0, header.size(), header) != 0) {
     return Problem{file + ": expected a map that begins with \"" +
-                   std::string(kHeader, header - 1) + "\""};
+                   std::string(header.substr(0, header.size() - 1)) + "\""};
   }
-  const auto bytes = Unpacked(text->data() + header, text->size() - header);
+  const auto bytes = Unpacked(std::string_view(*text).substr(header.size()));
   auto map = bytes ? ParseSlamMap(*bytes) : std::nullopt;
   if (!map) return Problem{file + ": the map is damaged"};
   return *std::move(map);

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "bt_core/base/outcome.h"
 #include "robot_app/slam/map/slam_map.h"
@@ -33,7 +34,7 @@ Expected<LoadedMap> LoadSlamMap(const std::string& folder);
 Expected<SlamMap> ReadSlamMap(const std::string& file);
 
 /// What is in a file, unpacked; nothing if the bytes are no map. Takes any bytes.
-std::optional<SlamMap> ParseSlamMap(const std::string& bytes);
+std::optional<SlamMap> ParseSlamMap(std::string_view bytes);
 std::string BytesOf(const SlamMap& map);
 
 }  // namespace coppice::robot::slam

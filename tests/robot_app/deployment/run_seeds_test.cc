@@ -16,6 +16,7 @@ using testing::ElementsAre;
 TEST(RunSeeds, ReadsSeedsAsPeopleWriteThem) {
   EXPECT_THAT(ParseSeeds("3").value(), ElementsAre(3));
   EXPECT_THAT(ParseSeeds("1-3,7").value(), ElementsAre(1, 2, 3, 7));
+  EXPECT_THAT(ParseSeeds("18446744073709551615").value(), ElementsAre(UINT64_MAX));  // and ends
   for (const char* text : {"", "a", "3-1", "1-", "1,,2", "1-20000", "-1", "1x"}) {
     EXPECT_FALSE(ParseSeeds(text)) << text;
   }

@@ -70,5 +70,16 @@ TEST(WebAccess, RefusesOtherTokensAlsoOnThisComputer) {
               HasSubstr("another origin"));
 }
 
+TEST(WebAccess, ANameOfTheWorldIsNoLocalOne) {
+  for (const char* const host : {"localhost", "127.0.0.1:8091", "10.0.0.2", "[::1]:80", "sobi:8091",
+                                 "sobi.local", "sobi.local:8091"}) {
+    EXPECT_TRUE(IsLocalName(host)) << host;
+  }
+  for (const char* const host : {"", ":80", ".local", "evil.example", "127.0.0.1.nip.example:80",
+                                 "local.evil.example", "evil.example.:80"}) {
+    EXPECT_FALSE(IsLocalName(host)) << host;
+  }
+}
+
 }  // namespace
 }  // namespace coppice

@@ -87,6 +87,29 @@ TEST_F(SlamMapFileTest, WhatWasSavedIsReadAsItWas) {
   EXPECT_TRUE(std::isnan(key_frame.pictures[0]->points[0].x()));
 }
 
+// More bytes than any vector of the robot's programs may have.
+TEST_F(SlamMapFileTest, AMapOfKilometresIsSavedAndRead) {
+  SlamMap map = SmallMap();
+  auto key_frame = std::make_shared<KeyFrame>(*map.key_frames[0]);
+  std::uint32_t random = 1;
+  const auto next = [&] {
+    return static_cast<float>((random = random * 1664525 + 1013904223) >> 20);
+  };
+  for (int i = 0; i < 500'000; ++i) {
+    key_frame->points.emplace_back(next() / 20, next() / 20, next() / 20);
+  }
+  constexpr std::size_t kFrames = 27;
+  map.key_frames.assign(kFrames, key_frame);
+  map.sessions.assign(kFrames, 0);
+  map.names.resize(1);
+  map.graph.poses.assign(kFrames, map.graph.poses[1]);
+  ASSERT_TRUE(SaveSlamMap(maps_, map));
+  const auto loaded = LoadSlamMap(maps_);
+  ASSERT_TRUE(loaded) << loaded.problem();
+  EXPECT_EQ(loaded->map.key_frames.size(), kFrames);
+  EXPECT_EQ(loaded->map.key_frames.back()->points.size(), key_frame->points.size());
+}
+
 TEST_F(SlamMapFileTest, TheThreeNewestVersionsStay) {
   for (int i = 1; i <= 5; ++i) ASSERT_EQ(*SaveSlamMap(maps_, SmallMap()), i);
   EXPECT_FALSE(fs::exists(File(2)));
