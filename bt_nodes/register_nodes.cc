@@ -90,6 +90,7 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<NodeIsWell>("NodeIsWell");
   registry.Register<RestartNode>("RestartNode", std::ref(capabilities.processes));
   registry.Register<SwitchConfiguration>("SwitchConfiguration", std::ref(capabilities.processes));
+  registry.Register<SwitchSite>("SwitchSite", std::ref(capabilities.processes));
   registry.Register<SwitchOff>("SwitchOff", std::ref(capabilities.processes));
   registry.Register<AskSupervisor>("AskSupervisor", std::ref(capabilities.supervisors));
   registry.Register<TellSupervisor>("TellSupervisor", std::ref(capabilities.supervisors));

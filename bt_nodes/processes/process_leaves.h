@@ -1,4 +1,4 @@
-// Leaves that act on the robot's programs: RestartNode, SwitchConfiguration, SwitchOff.
+// Leaves that act on the robot's programs: RestartNode, SwitchConfiguration, SwitchSite, SwitchOff.
 #ifndef COPPICE_BT_NODES_PROCESSES_PROCESS_LEAVES_H_
 #define COPPICE_BT_NODES_PROCESSES_PROCESS_LEAVES_H_
 
@@ -36,6 +36,23 @@ class SwitchOff : public CapabilityAction {
 
  protected:
   void Begin(Sender<ActionResult> done) override { processes_.SwitchOff(*reason, done); }
+  void Cancel() override {}  // it cannot be called back
+
+ private:
+  ProcessManager& processes_;
+};
+
+/// Once it is granted nothing comes after it: the program of the trees ends with all others.
+class SwitchSite : public CapabilityAction {
+ public:
+  static constexpr const char* kDescription =
+      "The robot was brought to another site: all programs begin anew with its map, places, bands and "
+      "parameters. Succeeds when it is there already; else its tree begins anew there.";
+  explicit SwitchSite(ProcessManager& processes) : processes_(processes) {}
+  Input<std::string> site{this, "site", "its name in the table of robot.yaml"};
+
+ protected:
+  void Begin(Sender<ActionResult> done) override { processes_.SetSite(*site, done); }
   void Cancel() override {}  // it cannot be called back
 
  private:

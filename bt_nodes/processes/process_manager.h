@@ -22,6 +22,9 @@ class ProcessManager {
   virtual void RestartNode(const std::string& node, bool cleared, Sender<ActionResult> done) = 0;
   /// Asks for a configuration: the set of programs that should run.
   virtual void SetConfiguration(const std::string& configuration) = 0;
+  /// The robot was brought to another site: asks for all that belongs to it. `done`: ok when it has
+  /// begun; then this tree, too, is ended and begins anew there.
+  virtual void SetSite(const std::string& site, Sender<ActionResult> done) = 0;
   /// The last step: stops everything and switches off, as far as the robot is set up for that.
   /// `done`: ok when it has begun.
   virtual void SwitchOff(const std::string& reason, Sender<ActionResult> done) = 0;

@@ -19,6 +19,7 @@
 #include "robot_app/app/tree_runner.h"
 #include "robot_app/common/configuration/site_phrases.h"
 #include "robot_app/common/places/site_places.h"
+#include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_clock.h"
 #include "robot_app/ros/duty_feed.h"
 #include "robot_app/ros/feeds.h"
@@ -36,8 +37,6 @@ namespace coppice::robot {
 namespace {
 
 constexpr double kHeartbeatPeriod = 1;  // s
-
-constexpr char kStation[] = "staging";  // the waypoint in front of the charging station
 
 const Command& RobotCommand() {
   static const Command command{
@@ -77,6 +76,7 @@ adapters::FeedKeys KeysOf(Executor& executor) {
           executor.Writer<bool>("docked"),
           executor.Writer<leaves::Health>("monitoring"),
           executor.Writer<std::string>("configuration"),
+          executor.Writer<std::string>("site"),
           executor.Writer<bool>("manual"),
           executor.Writer<std::string>("processes"),
           executor.Writer<leaves::BatteryReading>("battery")};
@@ -95,12 +95,11 @@ std::optional<metrics::MetricsPageOptions> PageOf(const Options& options) {
   return page.port == 0 ? std::nullopt : std::optional(page);
 }
 
-leaves::Pose2D StationOn(const leaves::WaypointMap& map) {
-  leaves::Waypoint station;
-  if (!map.Find(kStation, station)) {
-    throw std::runtime_error(std::string("the map has no waypoint \"") + kStation + "\"");
-  }
-  return station.pose;
+leaves::Pose2D HomeOf(const TopologicalMap& map) {
+  const int home = HomeOn(map);
+  if (home < 0) throw std::runtime_error("the site has no station and no meeting point");
+  const Pose2D pose = *map.places()[static_cast<std::size_t>(home)].pose;
+  return {pose.x, pose.y, pose.yaw};
 }
 
 SitePhrases PhrasesOf(const Options& options) {
@@ -137,7 +136,7 @@ class Robot {
     Executor& application = application_->executor();
     Executor& monitor = monitor_->executor();
     subscribers_ = adapters::SubscribeFeeds(node_, {KeysOf(application), KeysOf(monitor)}, clock_);
-    pose_feed_.emplace(node_, StationOn(places_),
+    pose_feed_.emplace(node_, HomeOf(places_.guide().map()),
                        std::vector{PoseKeysOf(application), PoseKeysOf(monitor)});
     people_feed_.emplace(node_,
                          std::vector{application.Writer<leaves::PeopleView>("people"),

@@ -81,6 +81,12 @@ bool YamlFields::Has(const std::string& key) const {
                      [&key](const auto& pair) { return pair.first.Scalar() == key; });
 }
 
+std::vector<std::string> YamlFields::Keys() const {
+  std::vector<std::string> keys;
+  for (const auto& pair : node_) keys.push_back(pair.first.Scalar());
+  return keys;
+}
+
 YAML::Node YamlFields::Find(const std::string& key) {
   asked_.push_back(key);
   for (const auto& pair : node_) {

@@ -37,6 +37,8 @@ class YamlFields {
   static YamlFields Load(const std::string& path, Diagnostics& diagnostics);
 
   bool Has(const std::string& key) const;
+  /// In the file's order.
+  std::vector<std::string> Keys() const;
   SourceLocation where() const { return Where(node_); }
 
   /// A required text; an error if missing or empty.

@@ -16,6 +16,7 @@
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/docking/dock_controller.h"
+#include "robot_app/docking/station_memory.h"
 
 namespace coppice::robot::docking {
 namespace {
@@ -28,7 +29,8 @@ constexpr char kHelp[] =
     "              /docking/station (geometry_msgs/PoseStamped: base_link when docked, as it is seen)\n"
     "              /docking/path (nav_msgs/Path: the way into the station)\n"
     "The station is recognized by its landmark. Where it should be (the place of the category\n"
-    "\"station\" in ~places, later where it was seen the last time) only tells where to look.\n"
+    "\"station\" in ~places, later where it was seen the last time, kept in ~station_file) only tells\n"
+    "where to look.\n"
     "Only a charging current that lasts, or a charger that says the battery is full, is success.\n"
     "Nothing needs the localization, which does not run while the robot charges.\n";
 
@@ -47,6 +49,7 @@ struct Settings {
   LandmarkSettings landmark;
   std::string places = "none";
   std::optional<Pose2D> prior;  // base_link when docked, on the map
+  std::string station_file = "none";
   Frames frames;
 };
 
@@ -54,6 +57,7 @@ Parameters ParametersOf(Settings& settings) {
   DockSettings& dock = settings.dock;
   return WithFrames(
       {{"places", &settings.places, "file with the place of the category \"station\""},
+       {"station_file", &settings.station_file, "keeps where it was when the robot docked"},
        {"landmark_leg", &dock.landmark.leg, 0.1, 2, "of the landmark [m]"},
        {"landmark_opening", &dock.landmark.opening, 1, 3, "between its legs [rad]"},
        {"landmark_ahead", &dock.landmark.ahead, 0.1, 2, "its corner before base_link, docked [m]"},
@@ -76,7 +80,7 @@ class DockingNode {
   explicit DockingNode(const Settings& settings)
       : settings_(settings.dock),
         frames_(settings.frames),
-        station_(settings.prior),
+        station_(settings.prior, settings.station_file),
         tracker_(settings.landmark),
         controller_(settings.dock),
         pose_(settings.frames),
@@ -110,8 +114,8 @@ class DockingNode {
   // Where the station should be, in the frame of the odometry.
   std::optional<Pose2D> ExpectedStation() const {
     const auto odometry = pose_.OdometryInMap();
-    if (!odometry || !station_) return std::nullopt;
-    return RelativeTo(odometry->pose, *station_);
+    if (!odometry || !station_.station()) return std::nullopt;
+    return RelativeTo(odometry->pose, *station_.station());
   }
 
   // In every scan of a manoeuvre.
@@ -148,7 +152,8 @@ class DockingNode {
     const auto odometry = pose_.OdometryInMap();
     if (!tracker_.seen() || !odometry) return;
     if (ros::Time::now().toSec() - odometry->stamp > kPoseTimeout) return;
-    station_ = Compose(odometry->pose, tracker_.seen()->docked);
+    const Outcome kept = station_.Learn(Compose(odometry->pose, tracker_.seen()->docked));
+    if (!kept) ROS_WARN("%s", kept.problem().c_str());
   }
 
   // What is known now; a problem if that is not enough to drive with.
@@ -253,8 +258,7 @@ class DockingNode {
 
   DockSettings settings_;
   Frames frames_;
-  std::optional<Pose2D>
-      station_;  // base_link when docked, on the map: the prior, or as it was seen
+  StationMemory station_;
   ros::NodeHandle node_;
   StationTracker tracker_;
   DockController controller_;

@@ -10,10 +10,10 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/places/pose_file.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/localization/localizer.h"
-#include "robot_app/localization/pose_file.h"
 
 namespace coppice::robot::localization {
 namespace {
@@ -237,8 +237,7 @@ int main(int argc, char** argv) {
   using namespace coppice::robot::localization;  // NOLINT: the whole program
   return coppice::robot::RunNode<Settings>(
       argc, argv, "localization", kHelp, [](Settings& settings) {
-        if (!settings.start && !coppice::robot::ReadStation(settings.places, settings.start))
-          return 2;
+        if (!settings.start && !coppice::robot::ReadHome(settings.places, settings.start)) return 2;
         LocalizationNode node(settings);
         ros::spin();
         node.LeavePose();

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/places/pose_file.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
-#include "robot_app/localization/pose_file.h"
 #include "robot_app/mapping/map_file.h"
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/mapping/mapper.h"
@@ -37,9 +37,7 @@ struct Settings {
   std::string map_file = "none";
   std::string last_pose_file = "none";
 
-  Pose2D Start() const {
-    return localization::LoadPose(last_pose_file).value_or(start.value_or(Pose2D()));
-  }
+  Pose2D Start() const { return LoadPose(last_pose_file).value_or(start.value_or(Pose2D())); }
   Frames frames;
 };
 
@@ -181,7 +179,7 @@ class MappingNode {
   // For the localization, which goes on from there.
   void LeavePose() {
     if (settings_.last_pose_file == "none") return;
-    const Outcome saved = localization::SavePose(settings_.last_pose_file, mapper_.pose());
+    const Outcome saved = SavePose(settings_.last_pose_file, mapper_.pose());
     if (!saved) ROS_WARN("%s", saved.problem().c_str());
   }
 
@@ -209,7 +207,7 @@ class MappingNode {
 int main(int argc, char** argv) {
   using namespace coppice::robot::mapping;  // NOLINT: the whole program
   return coppice::robot::RunNode<Settings>(argc, argv, "mapping", kHelp, [](Settings& settings) {
-    if (!settings.start && !coppice::robot::ReadStation(settings.places, settings.start)) return 2;
+    if (!settings.start && !coppice::robot::ReadHome(settings.places, settings.start)) return 2;
     MappingNode node(settings);
     ros::spin();
     node.KeepWhatIsUnsaved();

@@ -17,6 +17,7 @@
 #include "bt_core/base/command_line.h"
 #include "robot_app/common/node_probe.h"
 #include "robot_app/monitoring/aggregator/health_messages.h"
+#include "robot_app/monitoring/site_bands.h"
 
 namespace coppice::robot::monitoring {
 namespace {
@@ -31,6 +32,7 @@ Command MonitorCommand(std::string program) {
           {},
           "",
           {CommandOption::Text("--config", "FILE", "what is watched").Needed(),
+           CommandOption::Text("--bands", "FILE", "what the site judges otherwise"),
            CommandOption::Text("--host", "NAME", "of this computer; else that of the system"),
            CommandOption::Text("--folder", "FOLDER",
                                "where relative paths in the configuration begin; else here")}};
@@ -65,6 +67,7 @@ std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::strin
   Diagnostics diagnostics;
   MonitorStart start{LoadMonitorConfig(options.Get("--config"), diagnostics),
                      options.Get("--host", HostName()), options.Get("--folder", ".")};
+  if (options.Has("--bands")) ReadSiteBands(options.Get("--bands"), start.config, diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors() || !FindMaster(name)) return std::nullopt;
   return start;

@@ -389,7 +389,7 @@ int main(int argc, char** argv) {
   using namespace coppice::robot::navigation;  // NOLINT: the whole program
   return coppice::robot::RunNode<Settings>(argc, argv, "navigation", kHelp, [](Settings& settings) {
     Derive(settings);
-    if (!coppice::robot::ReadStation(settings.places, settings.station)) return 2;
+    if (!coppice::robot::ReadHome(settings.places, settings.station)) return 2;
     NavigationNode node(settings);
     ros::spin();
     return 0;

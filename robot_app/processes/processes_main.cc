@@ -1,6 +1,7 @@
 // coppice-processes: what the process supervisor says, and what a person may ask of it.
 #include <coppice_msgs/RestartProcess.h>
 #include <coppice_msgs/SetConfiguration.h>
+#include <coppice_msgs/SetSite.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
@@ -28,6 +29,7 @@ const Command& ProcessesCommand() {
   reset NAME          it is repaired: forget its restarts; or all
   configuration NAME  change it, and hold it by hand
   release             let the trees decide about it again
+  site NAME           the robot was brought there: all begins anew with what belongs to it
 Ends with 0 if all is well or the request was granted, 1 if not, 2 for wrong usage, 3 if nobody
 answers.)",
       {CommandOption::Flag("--watch", "until it is interrupted"),
@@ -76,6 +78,13 @@ int Request(const std::vector<std::string>& words, double timeout) {
     configure.request.manual = true;
     if (!Call("/supervisor/set_configuration", configure, timeout)) return Nobody();
     return Report(configure.response.ok, configure.response.message);
+  }
+  if (verb == "site") {
+    coppice_msgs::SetSite move;
+    move.request.site = words[1];
+    move.request.manual = true;
+    if (!Call("/supervisor/set_site", move, timeout)) return Nobody();
+    return Report(move.response.ok, move.response.message);
   }
   if (verb != "restart" && verb != "reset") return Usage();
   coppice_msgs::RestartProcess restart;

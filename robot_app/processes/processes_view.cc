@@ -97,13 +97,15 @@ std::string ToTable(const coppice_msgs::ProcessStates& states, Time now) {
       {"PROCESS", "GROUP", "HOST", "STATE", "FOR", "PID", "RESTARTS", "USED", "STEP", "MESSAGE"}};
   const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
   for (const ProcessState& process : states.processes) rows.push_back(ToRow(process, seconds));
-  return "configuration " + states.configuration + (states.manual ? ", held by hand" : "") +
+  return (states.site.empty() ? "" : "site " + states.site + ", ") + "configuration " +
+         states.configuration + (states.manual ? ", held by hand" : "") +
          (states.changing ? ", changing" : "") + (states.safe_stop ? ", SAFE STOP" : "") + "\n" +
          Align(rows);
 }
 
 std::string ToJson(const coppice_msgs::ProcessStates& states) {
-  const Json value = {{"configuration", states.configuration},
+  const Json value = {{"site", states.site},
+                      {"configuration", states.configuration},
                       {"changing", static_cast<bool>(states.changing)},
                       {"manual", static_cast<bool>(states.manual)},
                       {"safe_stop", static_cast<bool>(states.safe_stop)},

@@ -39,6 +39,7 @@ Supervisor::Supervisor(RobotConfig config, ProcessLauncher& launcher,
       escalation_(config_, order_),
       switch_(config_),
       plans_(config_.processes.size()) {
+  if (!config_.sites.empty()) site_ = config_.sites[config_.site].name;
   for (std::size_t i = 0; i < config_.configurations.size(); ++i) {
     if (config_.configurations[i].name == memory.configuration) {
       switch_.Restore(i, memory.manual, memory.safe_stop);
@@ -59,11 +60,14 @@ Supervisor::Supervisor(RobotConfig config, ProcessLauncher& launcher,
 
 SupervisorMemory Supervisor::Remember() const {
   SupervisorMemory memory;
-  memory.configuration = config_.configurations[switch_.before_safe_stop()].name;
-  memory.manual = switch_.manual();
-  memory.safe_stop = switch_.safe_stop();
-  memory.new_stack = new_stack_;
-  memory.clear_stack = clear_stack_;
+  memory.site = site_;
+  if (!ChangesSite()) {  // else it begins with that of the new one
+    memory.configuration = config_.configurations[switch_.before_safe_stop()].name;
+    memory.manual = switch_.manual();
+    memory.safe_stop = switch_.safe_stop();
+    memory.new_stack = new_stack_;
+    memory.clear_stack = clear_stack_;
+  }
   for (std::size_t i = 0; i < config_.groups.size(); ++i) {
     memory.groups[config_.groups[i].name] = escalation_.Remember(i);
   }

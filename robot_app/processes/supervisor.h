@@ -18,6 +18,7 @@
 #define COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_H_
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@
 #include "robot_app/processes/supervisor_memory.h"
 
 namespace coppice::robot::processes {
+
+/// Whether a site may be entered, or why not.
+using CheckSite = std::function<Outcome(const std::string& site)>;
 
 /// For one thread.
 class Supervisor {
@@ -44,6 +48,11 @@ class Supervisor {
                                          const CheckCondition& check);
   /// Ends what a person has set by hand.
   std::string Release();
+  /// The robot was brought to another site: everything ends, and begins anew with what belongs to
+  /// that one, in its configuration. All that says so is the memory's `site`: whoever saves it has
+  /// changed the site, before the first program ends. Refused in a safe stop, to the trees while a
+  /// person holds the configuration, and if `check` says that the site is not complete.
+  Expected<std::string> SetSite(const std::string& name, Hand hand, const CheckSite& check);
   /// To the configuration for the safe stop, until Reset. Refused if there is none.
   Expected<std::string> SafeStop();
 
@@ -101,6 +110,8 @@ class Supervisor {
   const std::string& configuration() const {
     return config_.configurations[switch_.current()].name;
   }
+  /// Where the robot is, or is about to be; empty if the file has no table of sites.
+  const std::string& site() const { return site_; }
   /// Not all processes of the configuration are ready, or others still run.
   bool IsChanging() const;
   const ProcessStatus& status(std::size_t process) const { return lifecycle_.status(process); }
@@ -129,6 +140,7 @@ class Supervisor {
 
   std::optional<std::size_t> Find(const std::string& name) const;
   std::optional<std::size_t> FindGroup(const std::string& name) const;
+  bool ChangesSite() const;
   Problem Unknown(const std::string& name) const;
   Expected<std::string> RestartWanted(std::size_t process, const Indices& members,
                                       const std::string& name, Time now, bool cleared);
@@ -169,6 +181,7 @@ class Supervisor {
   bool new_stack_ = false;
   bool clear_stack_ = false;
   std::string stack_reason_;
+  std::string site_;
   std::uint64_t revision_ = 0;
 };
 

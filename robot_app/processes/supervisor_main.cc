@@ -50,15 +50,46 @@ void EndMaster(const RosMaster& master, PosixLauncher& launcher) {
   }
 }
 
+RobotConfig Load(const SupervisorSettings& settings, const std::string& site,
+                 Diagnostics& diagnostics) {
+  Variables variables = settings.variables;
+  if (!site.empty()) variables["site"] = site;
+  return LoadRobotConfig(settings.config, variables, diagnostics);
+}
+
+// Everything that is to begin at a site is looked at before anything ends at this one.
+Outcome CheckComplete(const SupervisorSettings& settings, const std::string& site) {
+  Diagnostics diagnostics;
+  Load(settings, site, diagnostics);
+  return diagnostics.has_errors() ? Outcome(Problem{diagnostics.ToString()}) : Outcome();
+}
+
+// Where the robot is knows the memory, which is written as a whole: the old site or the new one.
+RobotConfig LoadWhereItIs(const SupervisorSettings& settings, Diagnostics& diagnostics) {
+  const Expected<SupervisorMemory> memory = LoadMemory(settings.state, WallClock().Now());
+  RobotConfig config = Load(settings, "", diagnostics);
+  if (diagnostics.has_errors() || config.sites.empty() || !memory || memory->site.empty()) {
+    return config;
+  }
+  if (memory->site == config.sites[config.site].name) return config;
+  for (const SiteConfig& site : config.sites) {
+    if (site.name == memory->site) return Load(settings, site.name, diagnostics);
+  }
+  std::cerr << "coppice-supervisor: there is no site \"" << memory->site << "\" any more\n";
+  return config;
+}
+
 Ending RunNode(RobotConfig config, const SupervisorSettings& settings, const RosMaster& master,
                PosixLauncher& launcher) {
+  if (!config.site_folder.empty()) std::filesystem::create_directories(config.site_folder);
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "supervisor", ros::init_options::NoSigintHandler);
   const Outcome set = SetParameters(master.address, config.parameters);  // it lives in their time
   if (!set) std::cerr << "coppice-supervisor: " << set.problem() << "\n";
   const char* token = std::getenv("COPPICE_SWITCH_OFF_TOKEN");
   SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state,
-                            token ? token : "");
+                            token ? token : "",
+                            [&](const std::string& site) { return CheckComplete(settings, site); });
   const Ending ending = program.Run([] { return g_stop != 0; });
   ros::shutdown();
   return ending;
@@ -71,11 +102,20 @@ bool CutPowerAndForget(const RobotConfig& config, const SupervisorSettings& sett
   Expected<SupervisorMemory> memory = LoadMemory(settings.state, WallClock().Now());
   if (!memory) memory = SupervisorMemory{};
   SupervisorMemory counters;
+  counters.site = memory->site;
   counters.restarts = memory->restarts;
   KeepMemory(counters, settings.state);
   if (CutPower(config.switch_off, launcher, kTimeToCut)) return true;
   KeepMemory(*memory, settings.state);
   return false;
+}
+
+// Who says it at every start, as for the configuration, is believed at the next one.
+void ForgetSiteOfCommandLine(const SupervisorSettings& settings) {
+  Expected<SupervisorMemory> memory = LoadMemory(settings.state, WallClock().Now());
+  if (!memory || settings.variables.count("site") == 0) return;
+  memory->site.clear();
+  KeepMemory(*memory, settings.state);
 }
 
 // A second start must not take the programs of the first for survivors. Where the file cannot be
@@ -132,7 +172,7 @@ int Main(const std::vector<std::string>& arguments) {
       arguments, std::filesystem::read_symlink("/proc/self/exe").parent_path());
   if (settings.exit) return *settings.exit;
   Diagnostics diagnostics;
-  RobotConfig config = LoadRobotConfig(settings.config, settings.variables, diagnostics);
+  RobotConfig config = LoadWhereItIs(settings, diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors() || !ChooseConfiguration(settings, config)) return 2;
 
@@ -164,7 +204,10 @@ int Main(const std::vector<std::string>& arguments) {
   if (ending == Ending::kNewStack || ending == Ending::kSwitchOff) {
     return BeginAnew(arguments, master.address.port);
   }
-  if (ending == Ending::kStopped) return 0;
+  if (ending == Ending::kStopped) {
+    ForgetSiteOfCommandLine(settings);
+    return 0;
+  }
   std::cerr << "coppice-supervisor: the ROS master ended again and again; everything was stopped\n";
   return 1;
 }

@@ -60,6 +60,7 @@ GroupMemory ToGroup(const json& value, Time now) {
 
 SupervisorMemory FromJson(const json& value, Time now) {
   SupervisorMemory memory;
+  memory.site = value.value("site", "");
   memory.configuration = value.at("configuration").get<std::string>();
   memory.manual = value.at("manual").get<bool>();
   memory.safe_stop = value.at("safe_stop").get<bool>();
@@ -80,6 +81,7 @@ SupervisorMemory FromJson(const json& value, Time now) {
 
 std::string ToText(const SupervisorMemory& memory) {
   json value = {{"version", kVersion},
+                {"site", memory.site},
                 {"configuration", memory.configuration},
                 {"manual", memory.manual},
                 {"safe_stop", memory.safe_stop},

@@ -20,6 +20,7 @@ namespace coppice::robot::processes {
 /// By name, because the configuration file may have changed in between. Times are nanoseconds since
 /// 1970.
 struct SupervisorMemory {
+  std::string site;           ///< where the robot is; empty: as the file says
   std::string configuration;  ///< empty: as the file says
   bool manual = false;
   bool safe_stop = false;

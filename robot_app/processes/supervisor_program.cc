@@ -3,6 +3,7 @@
 #include <coppice_msgs/ProcessStates.h>
 #include <coppice_msgs/RestartProcess.h>
 #include <coppice_msgs/SetConfiguration.h>
+#include <coppice_msgs/SetSite.h>
 #include <coppice_msgs/SwitchOff.h>
 #include <ros/callback_queue.h>
 #include <sensor_msgs/BatteryState.h>
@@ -48,7 +49,8 @@ SupervisorMemory Load(const std::string& path, Time now) {
 
 SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher,
                                      const RosMaster& master, const std::string& address,
-                                     std::string state_file, std::string switch_off_token)
+                                     std::string state_file, std::string switch_off_token,
+                                     CheckSite check)
     : local_(launcher),
       launcher_(
           launcher, config.hosts,
@@ -61,9 +63,11 @@ SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher
       supervisor_(std::move(config), parameters_, Load(state_file_, clock_.Now())),
       calls_(supervisor_.config().given_up.command, launcher),
       switch_off_(!supervisor_.config().switch_off.empty(), std::move(switch_off_token)),
+      check_site_(std::move(check)),
       probe_(master.address, "/supervisor") {
   processes_ = handle_.advertise<coppice_msgs::ProcessStates>("/processes", 10, true);
   OfferServices();
+  OfferSite();
   WatchConditions();
   WatchHeartbeats();
 }
@@ -110,6 +114,20 @@ void SupervisorProgram::OfferServices() {
       boost::function<bool(Release::Request&, Release::Response&)>([this](auto&, auto& say) {
         say.success = true;
         return Reply(supervisor_.Release(), "release", say);
+      })));
+}
+
+// Who is told that the site has changed may rely on it: it is on the disk then.
+void SupervisorProgram::OfferSite() {
+  using Site = coppice_msgs::SetSite;
+  services_.push_back(handle_.advertiseService<Site::Request, Site::Response>(
+      "/supervisor/set_site",
+      boost::function<bool(Site::Request&, Site::Response&)>([this](auto& ask, auto& say) {
+        const Expected<std::string> done =
+            supervisor_.SetSite(ask.site, ask.manual ? Hand::kPerson : Hand::kTree, check_site_);
+        if (done) Save();
+        say.ok = done.ok();
+        return Reply(done, "set_site " + ask.site, say);
       })));
 }
 
@@ -165,8 +183,9 @@ SupervisorProgram::Ending SupervisorProgram::Run(const std::function<bool()>& st
     return Ending::kSwitchOff;
   }
   if (!stop()) return Ending::kNoMaster;
-  // Who stops a robot on purpose starts it afresh; only the counters stay.
+  // Who stops a robot on purpose starts it afresh, where it is; only the counters stay.
   SupervisorMemory counters;
+  counters.site = supervisor_.site();
   counters.restarts = supervisor_.Remember().restarts;
   KeepMemory(counters, state_file_);
   return Ending::kStopped;
@@ -241,6 +260,7 @@ void SupervisorProgram::Publish() {
   const RobotConfig& config = supervisor_.config();
   coppice_msgs::ProcessStates message;
   message.header.stamp = ros::Time::now();
+  message.site = supervisor_.site();
   message.configuration = supervisor_.configuration();
   message.changing = supervisor_.IsChanging();
   message.manual = supervisor_.configuration_switch().manual();

@@ -5,6 +5,7 @@
 //   /supervisor/reset             coppice_msgs/RestartProcess, see Supervisor::Reset
 //   /supervisor/set_configuration coppice_msgs/SetConfiguration
 //   /supervisor/release           std_srvs/Trigger, ends what was set by hand
+//   /supervisor/set_site          coppice_msgs/SetSite, see Supervisor::SetSite
 //   /supervisor/switch_off        coppice_msgs/SwitchOff, see switch_off.h
 //
 // One thread does everything, every 20 ms of wall time. Times in ProcessState are wall time,
@@ -44,9 +45,10 @@ class SupervisorProgram {
   /// supervisor's memory is kept; what is in it is taken up.
   /// `switch_off_token`: see PowerDown.
   /// `address`: of this computer for nodes on other hosts; empty: that of the master.
+  /// `check`: see Supervisor::SetSite.
   SupervisorProgram(RobotConfig config, PosixLauncher& launcher, const RosMaster& master,
                     const std::string& address, std::string state_file,
-                    std::string switch_off_token);
+                    std::string switch_off_token, CheckSite check);
 
   Supervisor& supervisor() { return supervisor_; }
 
@@ -60,6 +62,7 @@ class SupervisorProgram {
   };
 
   void OfferServices();
+  void OfferSite();
   void WatchConditions();
   void WatchHeartbeats();
   void Round();
@@ -80,6 +83,7 @@ class SupervisorProgram {
   Supervisor supervisor_;
   PersonCalls calls_;
   PowerDown switch_off_;
+  const CheckSite check_site_;
   NodeProbe probe_;
   std::vector<Probed> probed_;
   std::vector<TopicCondition> conditions_;

@@ -37,6 +37,32 @@ Expected<std::string> Supervisor::SetConfiguration(const std::string& name, Hand
   return switch_.Request(name, hand, check);
 }
 
+bool Supervisor::ChangesSite() const {
+  return !config_.sites.empty() && site_ != config_.sites[config_.site].name;
+}
+
+Expected<std::string> Supervisor::SetSite(const std::string& name, Hand hand,
+                                          const CheckSite& check) {
+  std::vector<std::string> names;
+  for (const SiteConfig& site : config_.sites) names.push_back(site.name);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    return Problem{"no site \"" + name + "\" " + DidYouMean(name, names)};
+  }
+  if (stopping_) return Problem{"the supervisor is stopping"};
+  if (name == site_) return "the robot is at " + name + " already";
+  if (new_stack_) return Problem{"the whole stack is being restarted"};
+  if (switch_.safe_stop()) {
+    return Problem{"the robot is in a safe stop until what was given up is reset"};
+  }
+  if (hand == Hand::kTree && switch_.manual()) {
+    return Problem{"configuration " + configuration() + " is held by hand until it is released"};
+  }
+  if (const Outcome complete = check(name); !complete) return Problem{complete.problem()};
+  site_ = name;
+  RestartStack("the robot was brought to " + name, false);
+  return "all begins anew at " + name;
+}
+
 std::string Supervisor::Release() {
   ++revision_;
   return switch_.Release();

@@ -66,7 +66,10 @@ class BatteryFeed {
 std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
                                             const std::vector<FeedKeys>& trees,
                                             const Clock& clock) {
-  for (const FeedKeys& keys : trees) keys.configuration.Send("");
+  for (const FeedKeys& keys : trees) {
+    keys.configuration.Send("");
+    keys.site.Send("");
+  }
   std::vector<ros::Subscriber> subscribers;
   subscribers.push_back(node.subscribe<sensor_msgs::BatteryState>(
       "/battery_state", 1,
@@ -85,6 +88,7 @@ std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
         std::string now = processes::ToJsonRows(*message);
         for (const FeedKeys& keys : trees) {
           keys.configuration.Send(message->configuration);
+          keys.site.Send(message->site);
           keys.manual.Send(message->manual);
           if (now != rows) keys.processes.Send(now);
         }

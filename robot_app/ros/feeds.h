@@ -24,6 +24,7 @@ struct FeedKeys {
   Sender<bool> docked;                ///< the station's contacts touch, from /battery_state
   Sender<leaves::Health> monitoring;  ///< aggregated reports, from /monitoring, stamped on arrival
   Sender<std::string> configuration;  ///< in force, from /processes; empty until it is known
+  Sender<std::string> site;           ///< where the robot is, from /processes; empty until known
   Sender<bool> manual;                ///< it was set by hand, from /processes
   Sender<std::string> processes;      ///< JSON rows of /processes, sent when they have changed
   Sender<leaves::BatteryReading> battery;  ///< raw, from /battery_state, stamped on arrival

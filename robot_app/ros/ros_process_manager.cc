@@ -2,6 +2,7 @@
 
 #include <coppice_msgs/RestartProcess.h>
 #include <coppice_msgs/SetConfiguration.h>
+#include <coppice_msgs/SetSite.h>
 #include <coppice_msgs/SwitchOff.h>
 #include <ros/console.h>
 
@@ -54,6 +55,14 @@ void RosProcessManager::SetConfiguration(const std::string& configuration) {
     if (!result.ok) {
       ROS_WARN_STREAM("configuration " << configuration << ": " << result.message);
     }
+  });
+}
+
+void RosProcessManager::SetSite(const std::string& site, Sender<ActionResult> done) {
+  Enqueue([site, done] {
+    coppice_msgs::SetSite service;
+    service.request.site = site;
+    done.Send(Call("/supervisor/set_site", service));
   });
 }
 

@@ -22,6 +22,7 @@ class RosProcessManager : public leaves::ProcessManager {
   void RestartNode(const std::string& node, bool cleared,
                    Sender<leaves::ActionResult> done) override;
   void SetConfiguration(const std::string& configuration) override;
+  void SetSite(const std::string& site, Sender<leaves::ActionResult> done) override;
   /// With COPPICE_SWITCH_OFF_TOKEN of the environment.
   void SwitchOff(const std::string& reason, Sender<leaves::ActionResult> done) override;
 

@@ -12,7 +12,7 @@ void Battery::set_state_of_charge(double state_of_charge) {
   charge_ = std::clamp(state_of_charge, 0.0, 1.0) * options_.capacity;
 }
 
-void Battery::Step(double dt, double effort, bool contact) {
+void Battery::Step(double dt, double effort, bool contact, double climbing) {
   if (contact) {
     // The charger feeds the standing robot too; a full battery takes nothing more.
     current_ = full() ? 0 : options_.charging_current;
@@ -20,7 +20,8 @@ void Battery::Step(double dt, double effort, bool contact) {
     current_ = 0;
   } else if (effort > 0) {
     current_ = -(options_.slow_current +
-                 std::min(effort, 1.0) * (options_.fast_current - options_.slow_current));
+                 std::min(effort, 1.0) * (options_.fast_current - options_.slow_current) +
+                 climbing / options_.efficiency / options_.empty_voltage);
   } else {
     current_ = -options_.standby_current;
   }

@@ -16,6 +16,7 @@ struct BatteryOptions {
   double slow_current = 15;       ///< A, driving as slowly as possible
   double fast_current = 18.75;    ///< A, driving at top speed
   double charging_current = 12;   ///< A, net, into the battery
+  double efficiency = 0.7;        ///< of the motors
 };
 
 class Battery {
@@ -23,8 +24,9 @@ class Battery {
   explicit Battery(const BatteryOptions& options = {}, double state_of_charge = 1.0);
 
   /// Lets `dt` seconds pass. `effort` is 0 for standing, else the share (0..1] of the top speed;
-  /// `contact` says that the charger feeds the robot.
-  void Step(double dt, double effort, bool contact);
+  /// `contact` says that the charger feeds the robot;
+  /// `climbing` is the power that lifts it [W], beyond what level ground takes.
+  void Step(double dt, double effort, bool contact, double climbing = 0);
 
   /// Sets the charge, clamped to 0..1.
   void set_state_of_charge(double state_of_charge);

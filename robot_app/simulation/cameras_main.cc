@@ -38,13 +38,16 @@ struct Settings {
   std::string floor_file = kInstitute;
   std::string robot_file = kSobi;
   std::uint64_t seed = 1;
+  double light = 0;
   Floor floor;
 };
 
 Parameters ParametersOf(Settings& settings) {
-  return {{"floor", &settings.floor_file, "description of the floor, as the simulator's"},
-          {"robot", &settings.robot_file, "description of the robot, as the simulator's"},
-          {"seed", &settings.seed, 0, 1e9, "of the noise and of how people look"}};
+  return {
+      {"floor", &settings.floor_file, "description of the floor, as the simulator's"},
+      {"robot", &settings.robot_file, "description of the robot, as the simulator's"},
+      {"seed", &settings.seed, 0, 1e9, "of the noise and of how people look"},
+      {"light", &settings.light, 0, 1, "1: the sun or all lamps, 0.1: dusk; 0: as the floor's"}};
 }
 
 sensor_msgs::CameraInfo InfoOf(const RgbdOptions& options) {
@@ -249,6 +252,7 @@ int Run(Settings& settings) {
   const Expected<Floor> floor = FindFloor(settings.floor_file);
   if (!floor) return refuse(floor.problem());
   settings.floor = *floor;
+  if (settings.light > 0) settings.floor.light = settings.light;
   const Expected<RobotDescription> robot = FindRobot(settings.robot_file);
   if (!robot) return refuse(robot.problem());
   const Expected<std::vector<Mount>> mounts = MountsOf(*robot);

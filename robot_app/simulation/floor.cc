@@ -9,7 +9,8 @@
 namespace coppice::robot::simulation {
 namespace {
 
-constexpr double kFarthest = 100;  // from the origin of the map [m]; larger floors need gigabytes
+constexpr double kSteepest = 0.176;  // 10 degrees
+constexpr double kFarthest = 100;    // from the origin of the map [m]; larger floors need gigabytes
 
 // Reads typed values out of YAML nodes and reports what is wrong with them by line.
 class Reader {
@@ -225,11 +226,43 @@ StationLandmark ReadLandmark(Reader& reader, const YAML::Node& node) {
 
 void ReadStation(Reader& reader, const YAML::Node& root, Floor& floor) {
   const std::string what = "charging_station";
+  floor.has_station = !root["start"];
+  if (!floor.has_station) {
+    floor.docked = floor.staging = reader.Pose(root, "floor", "start");
+    if (!root[what]) return;
+    reader.Error(root["start"].Mark(), "\"start\" is for a floor without a charging_station");
+  }
   const YAML::Node station = reader.Member(root, "floor", "charging_station");
   if (!station || !reader.CheckMap(station, what, {"docked", "staging", "landmark"})) return;
   floor.docked = reader.Pose(station, what, "docked");
   floor.staging = reader.Pose(station, what, "staging");
   if (station["landmark"]) floor.landmark = ReadLandmark(reader, station["landmark"]);
+}
+
+// How steep it may be is what the robot can climb, and still more than the ground of a campus.
+void ReadGround(Reader& reader, const YAML::Node& node, Floor& floor) {
+  floor.ground = reader.Points(node, "ground");
+  for (std::size_t i = 1; i < floor.ground.size(); ++i) {
+    const Vec2 step = floor.ground[i] - floor.ground[i - 1];
+    if (step.x > 0 && std::abs(step.y / step.x) <= kSteepest) continue;
+    reader.Error(node[i].Mark(), "ground: expected x ascending, and at most 10 degrees");
+  }
+}
+
+double ReadBetween(Reader& reader, const YAML::Node& root, const char* key, double otherwise,
+                   double low, double high) {
+  if (!root[key]) return otherwise;
+  const double value = reader.Number(root[key], key);
+  if (value >= low && value <= high) return value;
+  reader.Error(root[key].Mark(), std::string(key) + ": out of its range");
+  return otherwise;
+}
+
+void ReadOutdoors(Reader& reader, const YAML::Node& root, Floor& floor) {
+  if (root["sky"]) floor.sky = reader.Either(root, "floor", "sky", "yes", "no");
+  floor.light = ReadBetween(reader, root, "light", floor.light, 0.01, 1);
+  floor.resolution = ReadBetween(reader, root, "resolution", floor.resolution, 0.02, 0.5);
+  if (root["ground"]) ReadGround(reader, root["ground"], floor);
 }
 
 // A name given twice could not be addressed.
@@ -244,13 +277,15 @@ void CheckNames(Reader& reader, const YAML::Node& list, const std::vector<Item>&
 
 Floor ReadFloor(Reader& reader, const YAML::Node& root) {
   Floor floor;
-  if (!reader.CheckMap(root, "floor",
-                       {"name", "wall_height", "walls", "glass", "furniture", "doors", "places",
-                        "people", "charging_station", "waypoints"})) {
+  if (!reader.CheckMap(
+          root, "floor",
+          {"name", "wall_height", "sky", "light", "ground", "resolution", "walls", "glass",
+           "furniture", "doors", "places", "people", "charging_station", "start", "waypoints"})) {
     return floor;
   }
   floor.name = reader.Text(root, "floor", "name");
   floor.wall_height = reader.Positive(root, "floor", "wall_height");
+  ReadOutdoors(reader, root, floor);
   reader.Member(root, "floor", "walls");
   for (const auto& item : reader.List(root, "walls")) {
     floor.walls.push_back(reader.Points(item, "wall"));

@@ -2,7 +2,7 @@
 //
 // 2.5-D: every thing is a vertical prism on the floor plane with a height, so that the lidar looks
 // over what is low and a renderer can raise the walls. The frame is `map`. A floor is read from
-// YAML; the shipped robot_app/simulation/floors/institute.yaml shows every key.
+// YAML; the shipped robot_app/config/sites/institute/world.yaml shows every key.
 #ifndef COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_
 #define COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_
 
@@ -62,6 +62,10 @@ struct StationLandmark {
 struct Floor {
   std::string name;
   double wall_height = 2.5;
+  bool sky = false;          ///< no ceiling; the sun's infrared blinds depth cameras
+  double light = 1;          ///< for cameras: 1 in the sun or with all lamps on, 0.02 nearly dark
+  std::vector<Vec2> ground;  ///< see scene/ground.h; empty: level
+  double resolution = 0.05;  ///< of its map [m]
   std::vector<std::vector<Vec2>> walls;  ///< polylines
   /// The same of glass: light goes through, so that lidars, cameras and the map do not have them.
   std::vector<std::vector<Vec2>> glass;
@@ -69,8 +73,10 @@ struct Floor {
   std::vector<Door> doors;
   std::vector<FloorBox> places;  ///< that can be blocked; empty at the start
   std::vector<Walker> people;
-  std::vector<FloorWaypoint> waypoints;     ///< good goals for the robot
-  Pose2 docked;                             ///< base_link when the charging contacts touch
+  std::vector<FloorWaypoint> waypoints;  ///< good goals for the robot
+  /// A floor says where either the station or the start is.
+  bool has_station = true;
+  Pose2 docked;  ///< base_link when the charging contacts touch; without a station: where it begins
   Pose2 staging;                            ///< base_link in front of the station, ready to dock
   std::optional<StationLandmark> landmark;  ///< of the station; absent: it is invisible
 };

@@ -17,7 +17,8 @@ StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open
                           const std::vector<bool>& place_blocked,
                           const std::optional<Triangle>& landmark) {
   StillScene still;
-  still.ceiling = floor.wall_height;
+  if (!floor.sky) still.ceiling = floor.wall_height;
+  still.light = floor.light;
   AddWalls(floor.walls, floor.wall_height, still);
   for (const FloorBox& box : floor.furniture) {
     still.AddBox(box.shape, box.height, box.is_poster ? Material::kPoster : Material::kFurniture);

@@ -6,6 +6,7 @@ namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kBorder = 0.5;  // unknown cells around the floor, m
+constexpr double kSeen = 0.25;   // lower things, such as kerbs, no laser sees, m
 
 class Painter {
  public:
@@ -29,17 +30,17 @@ class Painter {
     map_.cells.assign(static_cast<std::size_t>(map_.width) * map_.height, GridMap::kUnknown);
   }
 
-  void PaintLine(const Segment& s) {
+  void PaintLine(const Segment& s, std::int8_t value = GridMap::kOccupied) {
     const double length = Length(s.b - s.a);
     const int steps = std::max(1, static_cast<int>(std::ceil(length / (map_.resolution / 4))));
     for (int i = 0; i <= steps; ++i) {
-      PaintPoint(s.a + (s.b - s.a) * (static_cast<double>(i) / steps));
+      PaintPoint(s.a + (s.b - s.a) * (static_cast<double>(i) / steps), value);
     }
   }
 
-  void PaintOutline(const Rectangle& r) {
+  void PaintOutline(const Rectangle& r, std::int8_t value = GridMap::kOccupied) {
     const auto corners = Corners(r);
-    for (std::size_t i = 0; i < 4; ++i) PaintLine({corners[i], corners[(i + 1) % 4]});
+    for (std::size_t i = 0; i < 4; ++i) PaintLine({corners[i], corners[(i + 1) % 4]}, value);
   }
 
   // Everything that is reached from `start` without crossing an occupied cell becomes free.
@@ -69,9 +70,9 @@ class Painter {
     return row * map_.width + column;
   }
 
-  void PaintPoint(Vec2 p) {
+  void PaintPoint(Vec2 p, std::int8_t value) {
     const int i = Index(p);
-    if (i >= 0) map_.cells[i] = GridMap::kOccupied;
+    if (i >= 0) map_.cells[i] = value;
   }
 
   GridMap map_;
@@ -96,6 +97,9 @@ GridMap MakeGridMap(const Floor& floor, double resolution) {
     for (const Segment& side : SidesOf(*landmark)) painter.PaintLine(side);
   }
   painter.FillFree(floor.docked.position());
+  for (const FloorBox& box : floor.furniture) {
+    if (box.height < kSeen) painter.PaintOutline(box.shape, GridMap::kUnknown);
+  }
   for (const Door& door : floor.doors) {
     if (const auto leaf = DoorLeaf(door, door.open)) painter.PaintLine(*leaf);
   }

@@ -11,7 +11,7 @@ Lidar::Lidar(const LidarOptions& options, std::uint64_t seed)
 }
 
 void Lidar::Measure(double time, const Pose2& base, const RayCaster& still,
-                    const std::vector<Disc>& moving) {
+                    const std::vector<Disc>& moving, const Ground& ground) {
   const Pose2 laser = Compose(base, options_.mounting);
   scan_.time = time;
   scan_.ranges.resize(options_.beams);
@@ -21,6 +21,7 @@ void Lidar::Measure(double time, const Pose2& base, const RayCaster& still,
     for (const Disc& disc : moving) {
       range = CastAtDisc(disc, laser.position(), direction, range);
     }
+    range = ground.Cast(laser.position(), direction, options_.height, range);
     const double measured = range + options_.noise * noise_(random_);
     scan_.ranges[i] = range >= options_.max_range
                           ? std::numeric_limits<float>::infinity()

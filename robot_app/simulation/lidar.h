@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "robot_app/simulation/scene/ground.h"
 #include "robot_app/simulation/scene/ray_caster.h"
 
 namespace coppice::robot::simulation {
@@ -37,7 +38,7 @@ class Lidar {
   /// Measures from the robot's pose `base` in the map frame and keeps the result. Allocates nothing
   /// after the first time.
   void Measure(double time, const Pose2& base, const RayCaster& still,
-               const std::vector<Disc>& moving);
+               const std::vector<Disc>& moving, const Ground& ground = Ground());
 
   const Scan& scan() const { return scan_; }
   const LidarOptions& options() const { return options_; }

@@ -310,7 +310,8 @@ class SimulatorNode {
   }
 
   void PublishMap() {
-    nav_msgs::OccupancyGrid message = ToMessage(MakeGridMap(settings_.floor));
+    nav_msgs::OccupancyGrid message =
+        ToMessage(MakeGridMap(settings_.floor, settings_.floor.resolution));
     message.header.stamp = ToRosTime(0);
     message.info.map_load_time = message.header.stamp;
     map_.publish(message);

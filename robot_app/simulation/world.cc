@@ -13,6 +13,7 @@ constexpr double kMaxStationTurn = kPi / 4;  // rad
 constexpr double kLandmarkFromWall = 0.02;   // m
 constexpr double kLargestFloor = 1000;       // m
 constexpr double kSonarPeriod = 0.1;         // s
+constexpr double kWeight = 150 * 9.81;       // of the robot [N]
 constexpr double kTimeSlack = 1e-9;          // s; time is a sum of steps
 
 // Every sensor draws its own noise, so that one more beam does not change the odometry.
@@ -48,6 +49,7 @@ Expected<std::size_t> Find(const std::vector<Item>& items, const std::string& na
 
 World::World(const Floor& floor, const WorldOptions& options)
     : floor_(floor),
+      ground_(floor.ground),
       radius_(options.radius),
       place_blocked_(floor.places.size(), false),
       bodies_(floor, options.start.value_or(floor.docked), options.radius),
@@ -114,12 +116,13 @@ void World::MoveRobot(double dt) {
   imu_.Measure(dt, before, after);
   const double effort = std::max(std::abs(wanted.linear) / drive_.options().max_linear,
                                  std::abs(wanted.angular) / drive_.options().max_angular);
-  battery_.Step(dt, effort, docked() && charger_on_);
+  const double uphill = after.linear * std::cos(robot().yaw) * ground_.Slope(robot().x);
+  battery_.Step(dt, effort, docked() && charger_on_, kWeight * std::max(0.0, uphill));
 }
 
 void World::ReadSensors() {
   if (time_ + kTimeSlack >= next_scan_) {
-    lidar_.Measure(time_, robot(), visible_, legs_);
+    lidar_.Measure(time_, robot(), visible_, legs_, ground_);
     next_scan_ += lidar_.options().period;
     next_scan_ = std::max(next_scan_, time_ + kTimeSlack);
   }
@@ -148,6 +151,7 @@ std::optional<Triangle> World::landmark() const {
 }
 
 bool World::docked() const {
+  if (!floor_.has_station) return false;
   const Pose2 contacts = Compose(station(), {0, contacts_offset_, 0});
   const Pose2 off = Compose(Inverse(contacts), robot());
   return Length(off.position()) <= kDockTolerance && std::abs(off.yaw) <= kDockAngleTolerance;
@@ -259,6 +263,7 @@ std::string World::WhatIsNear(const Triangle& landmark, Vec2 docked) const {
 }
 
 Change World::MoveStation(const Pose2& moved) {
+  if (!floor_.has_station) return Problem{"the floor has no station"};
   if (!(std::hypot(moved.x, moved.y) <= kMaxStationOffset &&
         std::abs(moved.yaw) <= kMaxStationTurn)) {
     return Problem{"the station can be moved by 1 m and 45 degrees at most"};
@@ -284,6 +289,7 @@ Change World::SetContactsOffset(double offset) {
 }
 
 Change World::SetLandmark(bool there) {
+  if (!floor_.has_station) return Problem{"the floor has no station"};
   landmark_there_ = there;
   bodies_.SetLandmark(landmark());
   Rebuild();

@@ -134,6 +134,7 @@ class World {
   Disc robot_disc() const { return {robot().position(), radius_}; }
 
   Floor floor_;
+  Ground ground_;
   double radius_;  // of the robot
   double time_ = 0;
   std::vector<bool> door_open_;

@@ -52,8 +52,8 @@ struct Known {
 
 Expected<Known> LoadKnown() {
   Diagnostics diagnostics;
-  auto floor = simulation::LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml",
-                                     diagnostics);
+  auto floor = simulation::LoadFloor(
+      SourceFolder() + "/robot_app/config/sites/institute/world.yaml", diagnostics);
   if (!floor) return Problem{diagnostics.ToString()};
   const auto robot = RobotDescription::Load(SourceFolder() + "/robot_app/description/sobi.urdf");
   if (!robot) return Problem{robot.problem()};

@@ -51,7 +51,10 @@ class FakeRobot : public Navigator,
   }
   void CancelMotion() override { calls.push_back("CancelMotion"); }
 
-  Waypoint ChooseForPatrol() override { return {"hall", {46, 0, 1}}; }
+  Waypoint ChooseForPatrol() override {
+    legs = {{"-> hall", "drive", {46, 0, 1}, "the hall"}};
+    return {"hall", {46, 0, 1}};
+  }
   bool Find(const std::string& name, Waypoint& waypoint) const override {
     if (name != "hall" && name != "staging") return false;
     waypoint = {name, {46, 0, 1}};
@@ -75,6 +78,7 @@ class FakeRobot : public Navigator,
     if (travelled && !legs.empty()) legs.erase(legs.begin());
   }
   Expected<std::string> Nearest(const Pose2D&, const std::string& category) override {
+    if (category == "meeting_point") return std::string("lift");
     if (category != "office") return Problem{"there is no " + category};
     return std::string("office_103");
   }
@@ -113,6 +117,9 @@ class FakeRobot : public Navigator,
     calls.push_back("SetConfiguration " + configuration);
   }
 
+  void SetSite(const std::string& site, Sender<ActionResult> sender) override {
+    Begin("SetSite " + site, sender);
+  }
   void SwitchOff(const std::string& reason, Sender<ActionResult> sender) override {
     Begin("SwitchOff " + reason, sender);
   }

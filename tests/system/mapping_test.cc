@@ -110,7 +110,7 @@ TEST(Mapping, APersonDrivesAMapAndTheRobotWorksWithIt) {
   ASSERT_TRUE(save.response.success) << save.response.message;
 
   Diagnostics diagnostics;
-  const auto map = mapping::LoadMap((rig.folder() / "map.yaml").string(), diagnostics);
+  const auto map = mapping::LoadMap((rig.folder() / "institute/map.yaml").string(), diagnostics);
   ASSERT_TRUE(map) << diagnostics.ToString();
   const OccupancyGrid floor = navigation::MapOf(navigation::InstituteFloor());
   EXPECT_GT(mapping::ShareNear(*map, floor, 0.15), 0.95);

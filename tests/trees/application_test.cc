@@ -15,6 +15,7 @@ class Application : public testing::Test {
     scenario_.Set("battery_level", 0.9);
     scenario_.Set("charging", false);
     scenario_.Set("docked", false);
+    scenario_.Set("pose", leaves::Pose2D{1, 0, 0});
   }
   // Answers whatever the robot was asked with success, until the tree has asked for `call` or
   // nothing happens.
@@ -66,6 +67,30 @@ TEST_F(Application, GoesHomeAfterTheLastRound) {
   Until("Dock 0 1");
   EXPECT_EQ(scenario_.Answer(true), Status::kSuccess);
   EXPECT_EQ(scenario_.CallsOf("Say All quiet here."), 2);
+}
+
+TEST_F(Application, RemembersTheWaysOfItsPatrol) {
+  Until("NavigateTo 46;0;1");
+  scenario_.Answer(true);
+  EXPECT_EQ(scenario_.CallsOf("travelled -> hall"), 1);
+}
+
+TEST_F(Application, EndsItsWorkAtTheMeetingPointWhereThereIsNoStation) {
+  scenario_.Set("configuration", std::string("away"));
+  scenario_.Set("battery_level", 0.2);  // not enough to make it go home
+  Until("NavigateTo 46;0;1");
+  scenario_.robot.legs = {{"hall -> lift", "drive", {2, 0, 0}, "the lift"}};
+  scenario_.Set("charge_requested", true);
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.CallsOf("SetGoingHome true"), 1);
+  EXPECT_EQ(scenario_.LastCall(), "NavigateTo 2;0;0");
+  scenario_.Answer(true);
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.CallsBeginning("Ask pick up"), 1);
+  scenario_.Advance(1800);
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.LastCall(), "SwitchOff to be picked up");
+  EXPECT_EQ(scenario_.CallsBeginning("Dock"), 0);
 }
 
 TEST_F(Application, BreaksOffThePatrolWhenTheBatteryIsLow) {
@@ -205,26 +230,6 @@ TEST(DriveTo, GivesUpAfterFortyAttempts) {
   EXPECT_EQ(status, Status::kFailure);
   EXPECT_EQ(scenario.CallsOf("NavigateTo 1;2;0"), 40);
 }
-
-// Drives in vain; then `is_free` tells of each look whether there is a way.
-long AttemptsOfATry(bool is_free) {
-  TreeScenario scenario("behavior/drive_to.xml", "TryToDriveTo");
-  scenario.Set("goal", leaves::Pose2D{1, 2, 0});
-  Status status = scenario.Tick();
-  for (int i = 0; i < 20 && status == Status::kRunning; ++i) {
-    const bool looks = scenario.LastCall().rfind("FindWay", 0) == 0;
-    status = scenario.Answer(looks && is_free);
-    if (status != Status::kRunning) break;
-    scenario.Advance(5);
-    status = scenario.Tick();
-  }
-  EXPECT_EQ(status, Status::kFailure);
-  return scenario.CallsOf("NavigateTo 1;2;0");
-}
-
-TEST(TryToDriveTo, GivesUpAfterThreeAttempts) { EXPECT_EQ(AttemptsOfATry(true), 3); }
-
-TEST(TryToDriveTo, DoesNotDriveAgainWhileThereIsNoWay) { EXPECT_EQ(AttemptsOfATry(false), 1); }
 
 TEST(LeaveStation, WaitsUntilTheBatteryHasReported) {
   TreeScenario scenario("behavior/leave_station.xml");

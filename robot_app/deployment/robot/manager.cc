@@ -33,6 +33,12 @@ void Manager::SetConfiguration(const std::string& configuration) {
   (void)programs_.supervisor().SetConfiguration(configuration, processes::Hand::kTree, check);
 }
 
+void Manager::SetSite(const std::string& site, Sender<ActionResult> done) {
+  done.Send(Answer(programs_.supervisor().SetSite(
+      site, processes::Hand::kTree,
+      [](const std::string&) -> Outcome { return Problem{"the deployment is at one site"}; })));
+}
+
 void Manager::SwitchOff(const std::string& reason, Sender<ActionResult> done) {
   done.Send(Answer(power_down_->Ask(reason, kToken, programs_.supervisor(), world_.now())));
 }

@@ -21,6 +21,8 @@ class Manager : public leaves::ProcessManager {
   void RestartNode(const std::string& node, bool cleared,
                    Sender<leaves::ActionResult> done) override;
   void SetConfiguration(const std::string& configuration) override;
+  /// Refused: all days are at one site.
+  void SetSite(const std::string& site, Sender<leaves::ActionResult> done) override;
   void SwitchOff(const std::string& reason, Sender<leaves::ActionResult> done) override;
 
   /// The power is to be cut now.

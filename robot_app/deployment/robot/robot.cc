@@ -70,8 +70,8 @@ Robot::Robot(World& world, const Shipped& shipped, const Controller& controller,
                 {world, ways_, programs_, drive_, station_, position_}, controller.lost_after),
       faults_(world, moving_, ways_, drive_, position_, programs_),
       keeper_(world, moving_, programs_, helpers_),
-      places_(shipped.Path("robot_app/config/places.yaml"), static_cast<unsigned>(world.seed),
-              world.clock),
+      places_(shipped.Path("robot_app/config/sites/institute/places.yaml"),
+              static_cast<unsigned>(world.seed), world.clock),
       phrases_(PhrasesOf(shipped, world)),
       surface_(world, programs_),
       manager_(world, programs_, shipped.robot) {
@@ -255,6 +255,11 @@ void Robot::Feed(const Keys& keys, bool is_application) const {
   keys.manual.Send(false);
   const double left = world_.scenario.calendar.DutyLeft(world_.now());
   keys.duty_left.Send(controller_.plans_charging || left <= 0 ? left : 86400.0);
+  FeedPose(keys);
+}
+
+// Who follows a way has to know where it ended: no tick of the application is without it.
+void Robot::FeedPose(const Keys& keys) const {
   if (!programs_.Works("/localization")) return;
   keys.pose.Send(world_.pose);
   const Pose2D station = FromFloor(shipped_.floor.staging);
@@ -274,7 +279,9 @@ void Robot::TickTrees() {
   }
   for (int i = 0; i < kMostTicks && (is_due(application_) || is_due(monitor_)); ++i) {
     if (is_due(monitor_)) monitor_->Tick();
-    if (is_due(application_)) application_->Tick();
+    if (!is_due(application_)) continue;
+    FeedPose(keys_.front());
+    application_->Tick();
   }
 }
 

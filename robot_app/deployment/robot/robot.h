@@ -65,6 +65,7 @@ class Robot {
   void StepParts();
   void Look();
   void Feed(const Keys& keys, bool is_application) const;
+  void FeedPose(const Keys& keys) const;
   void TickTrees();
   void Judge();
   void Advance();

@@ -23,26 +23,30 @@ leaves::BatteryModel ReadModel(YamlFields& fields) {
   return model;
 }
 
-// That of a file of places, whose name is relative to the file that is read.
-Pose2D ReadStation(YamlFields& fields) {
+// The home in a file of places, whose name is relative to the file that is read.
+Pose2D ReadHomeOf(YamlFields& fields) {
   const LocatedText places = fields.Text("places");
   const auto file = std::filesystem::path(places.where.file).parent_path() / places.text;
   Diagnostics problems;
-  const auto station = StationIn(file.string(), problems);
-  if (!station) {
+  const auto home = HomeIn(file.string(), problems);
+  if (!home) {
     fields.Error(places.where, problems.has_errors()
                                    ? problems.ToString()
-                                   : file.string() + " has no place of the category \"station\"");
+                                   : file.string() +
+                                         " has no place of the category \"station\" or "
+                                         "\"meeting_point\"");
   }
-  return station.value_or(Pose2D());
+  return home.value_or(Pose2D());
 }
+
+}  // namespace
 
 DockPlace ReadDock(YamlFields& fields) {
   DockPlace dock;
   if (fields.Has("places")) {
-    const Pose2D station = ReadStation(fields);
-    dock.x = station.x;
-    dock.y = station.y;
+    const Pose2D home = ReadHomeOf(fields);
+    dock.x = home.x;
+    dock.y = home.y;
   } else {
     dock.x = fields.Number("x", 0, -1e6, 1e6);
     dock.y = fields.Number("y", 0, -1e6, 1e6);
@@ -54,8 +58,6 @@ DockPlace ReadDock(YamlFields& fields) {
   fields.Finish();
   return dock;
 }
-
-}  // namespace
 
 BatteryLimits ReadBatteryLimits(YamlFields& fields) {
   BatteryLimits watch;

@@ -9,6 +9,8 @@
 namespace coppice::robot::monitoring {
 
 BatteryLimits ReadBatteryLimits(YamlFields& fields);
+/// The home of a site: {x: , y: } or {places: FILE}, relative to the file that is read.
+DockPlace ReadDock(YamlFields& fields);
 ChargingWatch ReadChargingWatch(YamlFields& fields);
 DockingWatch ReadDockingWatch(YamlFields& fields);
 EmergencyStopWatch ReadEmergencyStopWatch(YamlFields& fields);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "bt_core/base/read_file.h"
 #include "robot_app/common/ros_name.h"
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/processes/config/group_order.h"
@@ -19,17 +20,19 @@ constexpr std::size_t kMost = 1000;  // processes, or groups
 class Loader {
  public:
   Loader(const std::string& path, const Variables& variables, Diagnostics& diagnostics)
-      : file_(YamlFields::Load(path, diagnostics)), variables_(variables) {
+      : diagnostics_(diagnostics),
+        file_(YamlFields::Load(path, diagnostics)),
+        variables_(variables) {
     if (diagnostics.has_errors()) return;
     readable_ = true;
   }
 
   RobotConfig Load() {
     if (!readable_) return {};
-    for (auto& [name, value] : file_.Pairs("parameters")) {
-      if (!value.IsScalar()) file_.Error(name.where, "\"" + name.text + "\": expected one value");
-      if (value.IsScalar()) config_.parameters[name.text] = value.Scalar();
-    }
+    YamlFields sites = file_.Map("sites");
+    ReadSites(sites);
+    ReadParameters(file_, "parameters", "");
+    ReadSiteFiles(sites);
     ReadLimits();
     ReadHostsAndConditions();
     ReadGroups();
@@ -43,6 +46,48 @@ class Loader {
   }
 
  private:
+  // Which site it is has to be known before anything else can be read.
+  void ReadSites(YamlFields& fields) {
+    for (auto& [name, value] : fields.Pairs("table")) {
+      config_.sites.push_back({name.text, 0});
+      YamlFields site = fields.MapOf(value);
+      site_configurations_.push_back(site.Text("configuration"));
+      site.Finish();
+    }
+    if (config_.sites.empty()) return;
+    LocatedText chosen = fields.Text("initial", config_.sites.front().name);
+    const auto wanted = variables_.find("site");
+    if (wanted != variables_.end()) chosen.text = wanted->second;
+    config_.site = Resolve("site", config_.sites, chosen).value_or(0);
+    variables_["site"] = config_.sites[config_.site].name;
+  }
+
+  // A site that is not complete is none: it is not entered.
+  void ReadSiteFiles(YamlFields& fields) {
+    for (const LocatedText& text : fields.Texts("files")) {
+      const std::string path = Fill(text, variables_);
+      if (!ReadFile(path)) {
+        file_.Error(text.where, "site \"" + variables_["site"] + "\": cannot read " + path);
+      }
+    }
+    if (fields.Has("parameters")) ReadSiteParameters(fields.Text("parameters"));
+    config_.site_folder = Fill(fields.Text("folder", ""), variables_);
+    fields.Finish();
+  }
+
+  // ROS parameters of the nodes that work otherwise at each site.
+  void ReadSiteParameters(const LocatedText& path) {
+    YamlFields nodes = YamlFields::Load(Fill(path, variables_), diagnostics_);
+    for (const std::string& node : nodes.Keys()) ReadParameters(nodes, node, node + "/");
+  }
+
+  void ReadParameters(YamlFields& fields, const std::string& key, const std::string& prefix) {
+    for (auto& [name, value] : fields.Pairs(key)) {
+      if (!value.IsScalar()) fields.Error(name.where, "\"" + name.text + "\": expected one value");
+      if (value.IsScalar()) config_.parameters[prefix + name.text] = value.Scalar();
+    }
+  }
+
   void ReadLimits() {
     limits_ = ReadRestartLimits(file_.Map("restart_intensity"), {});
     config_.back_off = ReadBackOff(file_.Map("back_off"));
@@ -243,6 +288,10 @@ class Loader {
       file_.Error(file_.where(), "\"configurations\" names no configuration");
       return;
     }
+    for (std::size_t i = 0; i < config_.sites.size(); ++i) {
+      config_.sites[i].configuration =
+          Resolve("configuration", config_.configurations, site_configurations_[i]).value_or(0);
+    }
     ReadInitial();
     ReadGivenUp();
   }
@@ -260,7 +309,8 @@ class Loader {
   }
 
   void ReadInitial() {
-    const LocatedText name = file_.Text("initial", config_.configurations.front().name);
+    LocatedText name = file_.Text("initial", config_.configurations.front().name);
+    if (!config_.sites.empty()) name = site_configurations_[config_.site];
     const auto initial = Resolve("configuration", config_.configurations, name);
     if (!initial) return;
     config_.initial = *initial;
@@ -327,14 +377,16 @@ class Loader {
                          });
   }
 
+  Diagnostics& diagnostics_;
   YamlFields file_;
-  const Variables& variables_;
+  Variables variables_;  // with the site
   bool readable_ = false;
   RobotConfig config_;
   RestartLimits limits_;  // of groups that do not say
   // Per process and per group, as written.
   std::vector<std::vector<LocatedText>> depends_, after_, group_depends_;
   std::vector<SourceLocation> where_, group_where_;
+  std::vector<LocatedText> site_configurations_;
 };
 
 }  // namespace

@@ -120,6 +120,13 @@ struct Configuration {
   std::vector<std::size_t> requires_conditions;
 };
 
+/// A place of work: a building, a floor, a campus. Its name is the value of the variable `site`, so
+/// all that is written with `${site}` in the file belongs to it: map, places, world, bands.
+struct SiteConfig {
+  std::string name;
+  std::size_t configuration = 0;  ///< begun with there
+};
+
 /// What happens when a group is given up.
 struct GivenUpConfig {
   std::vector<std::string> command;          ///< told to a person: the reason is appended
@@ -132,6 +139,9 @@ struct RobotConfig {
   std::vector<Configuration> configurations;
   std::vector<HostConfig> hosts;
   std::vector<ConditionConfig> conditions;
+  std::vector<SiteConfig> sites;                  ///< the table; may be empty: one without a name
+  std::size_t site = 0;                           ///< whose values stand in all that follows
+  std::string site_folder;                        ///< of what is learnt there; may be empty
   std::size_t initial = 0;                        ///< configuration that is in force at the start
   std::map<std::string, std::string> parameters;  ///< set on the ROS parameter server first
   BackOff back_off;
@@ -142,7 +152,8 @@ struct RobotConfig {
 };
 
 /// Reads and checks a file. Everything that is wrong is reported at once; with errors the result is
-/// not to be used.
+/// not to be used. The variable `site` says which site it is read for; else it is the file's own
+/// choice.
 RobotConfig LoadRobotConfig(const std::string& path, const Variables& variables,
                             Diagnostics& diagnostics);
 

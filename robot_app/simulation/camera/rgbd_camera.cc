@@ -51,6 +51,8 @@ class Drawing {
         colour_(static_cast<std::size_t>(options.width) * options.height),
         depth_(colour_.size(), kNothing) {
     const double light = std::clamp(scene.still().light, 0.001, 1.0);
+    const bool in_sun = std::isinf(scene.still().ceiling) && light >= options.sun_from;
+    max_depth_ = in_sun ? options.max_depth_in_sun : options.max_depth;
     gain_ = static_cast<int>(std::lround(std::min(options.most_gain, 1 / light)));
     exposure_ = static_cast<int>(std::lround(256 * std::min(1.0, light * gain_)));
     for (int row = 0; row < options.height; ++row) {
@@ -138,7 +140,7 @@ class Drawing {
     const bool is_closed = !met_.empty() && scene_.still().panels[met_.back().panel].top >= ceiling;
     const double depth = is_closed ? met_.back().range * cosine : kFarthest;
     const int horizon = RowOf(lens_height_, depth);
-    draw(0, is_closed ? RowOf(ceiling, depth) : horizon, CeilingAt);
+    draw(0, is_closed ? RowOf(ceiling, depth) : horizon, std::isinf(ceiling) ? SkyAt : CeilingAt);
     draw(is_closed ? RowOf(0, depth) : horizon, options_.height, FloorAt);
   }
 
@@ -273,7 +275,7 @@ class Drawing {
           static_cast<std::uint8_t>(std::clamp(bright + noise, 0, 255));
     }
     const float depth = depth_[At(column, row)];
-    if (!(depth >= options_.min_depth && depth <= options_.max_depth)) return;
+    if (!(depth >= options_.min_depth && depth <= max_depth_)) return;
     if (IsAtEdge(column, row)) return;
     const float error = static_cast<float>(options_.depth_noise) * depth * depth * Bell(lot);
     measured.depth.millimetres[to] =
@@ -284,6 +286,7 @@ class Drawing {
   const Scene& scene_;
   const Pose2 pose_;
   const double lens_height_;
+  double max_depth_ = 0;  // that is measured [m]
   int gain_ = 1;
   int exposure_ = 256;          // of 256: how bright the picture is
   std::vector<Ground> ground_;  // by row

@@ -27,6 +27,8 @@ struct RgbdOptions {
   Lens lens{615.18, 615.18, 326.22, 236.27};
   double min_depth = 0.28;      ///< m
   double max_depth = 10;        ///< m
+  double max_depth_in_sun = 2;  ///< m; farther its infrared is lost in that of the sun
+  double sun_from = 0.3;        ///< light from which on it is the sun's, under the sky
   double depth_noise = 0.0026;  ///< standard deviation at 1 m; grows with the square [m]
   int colour_noise = 3;         ///< most, of 255, at full light; in the dark it is amplified
   double most_gain = 8;         ///< darker than that is balanced no more

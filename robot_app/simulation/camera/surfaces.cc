@@ -134,6 +134,8 @@ Colour FloorAt(Vec2 point) {
   return Lit(kFloor, 0.94 + 0.01 * static_cast<double>(CellNumber(column, row) % 12));
 }
 
+Colour SkyAt(Vec2) { return {176, 206, 236}; }
+
 Colour CeilingAt(Vec2 point) {
   const double x = point.x - static_cast<double>(CellOf(point.x, kLampEvery)) * kLampEvery;
   const double y = point.y - static_cast<double>(CellOf(point.y, kLampEvery)) * kLampEvery;

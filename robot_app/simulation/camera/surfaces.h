@@ -49,6 +49,7 @@ class PanelLine {
 
 Colour FloorAt(Vec2 point);
 Colour CeilingAt(Vec2 point);
+Colour SkyAt(Vec2 point);
 /// The upper side of a piece of furniture or a box.
 Colour RoofAt(const Panel& panel);
 

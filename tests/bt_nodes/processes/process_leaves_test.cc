@@ -37,6 +37,26 @@ TEST(RestartNode, FailsWhenTheRestartIsRefused) {
   EXPECT_EQ(harness.message(), "restarted too often");
 }
 
+TEST(SwitchSite, AsksForTheSiteAndSucceedsWhenTheRobotIsThere) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<SwitchSite>(std::ref<ProcessManager>(robot));
+  harness.Set("site", std::string("campus"));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"SetSite campus"});
+  robot.done.Send({true, ""});
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(SwitchSite, FailsWhenTheSiteIsRefused) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<SwitchSite>(std::ref<ProcessManager>(robot));
+  harness.Set("site", std::string("campus"));
+  harness.Tick();
+  robot.done.Send({false, "no site \"campus\""});
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  EXPECT_EQ(harness.message(), "no site \"campus\"");
+}
+
 TEST(SwitchOff, SaysWhyAndEndsWhenItHasBegun) {
   FakeRobot robot;
   LeafHarness harness = LeafHarness::For<SwitchOff>(std::ref<ProcessManager>(robot));

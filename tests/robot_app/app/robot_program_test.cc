@@ -27,15 +27,16 @@ class RobotProgramTest : public testing::Test {
   ~RobotProgramTest() override { graph_.EndPrograms(); }
 
   void Start(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> command = {processes::kPrograms + "coppice-robot",
-                                        "--application",
-                                        trees_,
-                                        "--monitor",
-                                        trees_,
-                                        "--places",
-                                        SourceFolder() + "/robot_app/config/places.yaml",
-                                        "--live-port",
-                                        "0"};
+    std::vector<std::string> command = {
+        processes::kPrograms + "coppice-robot",
+        "--application",
+        trees_,
+        "--monitor",
+        trees_,
+        "--places",
+        SourceFolder() + "/robot_app/config/sites/institute/places.yaml",
+        "--live-port",
+        "0"};
     command.insert(command.end(), more.begin(), more.end());
     if (!shell_.empty()) {
       const std::vector<std::string> shell = {"/bin/sh", "-c", shell_, "sh"};

@@ -85,7 +85,8 @@ class VisitorTest : public testing::Test {
                            "<Sleep msec=\"100000000\"/></BehaviorTree></root>";
     Start("coppice-robot",
           {"--application", SourceFolder() + "/tests/system/trees/lead.xml", "--monitor", idle,
-           "--places", SourceFolder() + "/robot_app/config/places.yaml", "--live-port", "0"});
+           "--places", SourceFolder() + "/robot_app/config/sites/institute/places.yaml",
+           "--live-port", "0"});
   }
   void Start(const std::string& program, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), BinaryFolder() + "/bin/" + program);

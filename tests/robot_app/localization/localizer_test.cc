@@ -45,8 +45,8 @@ struct Errors {
 Errors Patrol(LocalizedRobot& robot, const simulation::Floor& floor, double seconds,
               unsigned seed) {
   Diagnostics diagnostics;
-  const auto map =
-      TopologicalMap::Load(SourceFolder() + "/robot_app/config/places.yaml", diagnostics);
+  const auto map = TopologicalMap::Load(
+      SourceFolder() + "/robot_app/config/sites/institute/places.yaml", diagnostics);
   navigation::Navigation navigation;
   navigation.SetMap(MapOf(floor));
   std::mt19937 random(seed);

@@ -229,7 +229,8 @@ TEST_F(MonitorConfigTest, TheShippedFileIsRightAndFitsTheShippedProcesses) {
   const std::string folder = SourceFolder() + "/robot_app/config/";
   const MonitorConfig monitors = LoadMonitorConfig(folder + "monitors.yaml", diagnostics_);
   const processes::RobotConfig robot = processes::LoadRobotConfig(
-      folder + "robot.yaml", {{"bin", "b"}, {"config", "c"}, {"record", "/tmp/run"}}, diagnostics_);
+      folder + "robot.yaml", {{"bin", "b"}, {"config", folder}, {"record", "/tmp/run"}},
+      diagnostics_);
   ASSERT_EQ(Errors(), "");
   EXPECT_EQ(monitors.lists.size(), robot.configurations.size());
   for (const processes::Configuration& configuration : robot.configurations) {

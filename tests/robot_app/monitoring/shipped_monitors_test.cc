@@ -242,7 +242,7 @@ TEST_F(ShippedMonitorsTest, TheScannerIsWatchedForScansInEveryConfiguration) {
 }
 
 TEST_F(ShippedMonitorsTest, PerceptionThatHangsIsAnErrorUnlessItIsSwitchedOff) {
-  for (const char* const configuration : {"operating", "outdoor"}) {
+  for (const char* const configuration : {"operating", "away"}) {
     const WatchList& list = config_.ForConfiguration(configuration);
     for (const std::string node : {"/people_tracker", "/camera_detector"}) {
       const auto watch = std::find_if(list.nodes.begin(), list.nodes.end(),

@@ -24,7 +24,8 @@ class NavigationInWorld : public testing::Test {
     world_.emplace(floor_, At({0, 0, 0}));
     world_->SetSonarsOn(true);
     Diagnostics diagnostics;
-    places_ = *TopologicalMap::Load(SourceFolder() + "/robot_app/config/places.yaml", diagnostics);
+    places_ = *TopologicalMap::Load(
+        SourceFolder() + "/robot_app/config/sites/institute/places.yaml", diagnostics);
     navigation_.SetMap(MapOf(floor_));
   }
 

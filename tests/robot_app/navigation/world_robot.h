@@ -19,14 +19,14 @@ namespace coppice::robot::navigation {
 
 inline simulation::Floor InstituteFloor() {
   Diagnostics diagnostics;
-  auto floor = simulation::LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml",
-                                     diagnostics);
+  auto floor = simulation::LoadFloor(
+      SourceFolder() + "/robot_app/config/sites/institute/world.yaml", diagnostics);
   if (!floor) throw std::runtime_error(diagnostics.ToString());
   return *floor;
 }
 
 inline OccupancyGrid MapOf(const simulation::Floor& floor) {
-  const simulation::GridMap map = simulation::MakeGridMap(floor);
+  const simulation::GridMap map = simulation::MakeGridMap(floor, floor.resolution);
   return {{map.resolution, map.origin.x, map.origin.y, map.width, map.height}, map.cells};
 }
 

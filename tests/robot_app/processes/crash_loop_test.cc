@@ -163,7 +163,8 @@ RobotConfig ShippedRobot() {
   Diagnostics diagnostics;
   RobotConfig config = LoadRobotConfig(
       SourceFolder() + "/robot_app/config/robot.yaml",
-      {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp/run"}}, diagnostics);
+      {{"bin", "/bin"}, {"config", SourceFolder() + "/robot_app/config"}, {"record", "/tmp/run"}},
+      diagnostics);
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   return config;
 }

@@ -19,6 +19,7 @@ using testing::HasSubstr;
 
 SupervisorMemory Example() {
   SupervisorMemory memory;
+  memory.site = "hill";
   memory.configuration = "charging";
   memory.manual = true;
   memory.new_stack = true;

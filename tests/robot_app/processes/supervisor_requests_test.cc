@@ -25,6 +25,7 @@ RobotConfig Robot() {
                            {"charging", {0}, {0}},
                            {"mapping", {0, 3}, {}}};
   config.given_up.configuration = 1;
+  config.sites = {{"home", 0}, {"hill", 3}};
   return config;
 }
 
@@ -42,6 +43,9 @@ class SupervisorRequestsTest : public testing::Test {
   }
   Expected<std::string> Configure(const std::string& name, Hand hand = Hand::kTree) {
     return robot_.supervisor().SetConfiguration(name, hand, kNoConditions);
+  }
+  Expected<std::string> Move(const std::string& site, Hand hand = Hand::kPerson) {
+    return robot_.supervisor().SetSite(site, hand, [](const std::string&) { return Outcome(); });
   }
   void GiveUpNav() {
     robot_.machine.programs["nav"].crashes = [] { return std::optional<Duration>(seconds(2)); };
@@ -169,6 +173,48 @@ TEST_F(SupervisorRequestsTest, TheRestartAfterThatKeepsItsState) {
   robot_.RunFor(seconds(100));
   EXPECT_TRUE(robot_.AllReady());
   EXPECT_THAT(robot_.machine.log, ElementsAre());
+}
+
+TEST_F(SupervisorRequestsTest, AtAnotherSiteEverythingBeginsAnewInTheConfigurationOfThatSite) {
+  ASSERT_TRUE(Configure("mapping", Hand::kPerson));
+  ASSERT_TRUE(Move("hill"));
+  const SupervisorMemory memory = robot_.supervisor().Remember();
+  EXPECT_EQ(memory.site, "hill");
+  EXPECT_EQ(memory.configuration, "");  // that of the site
+  EXPECT_FALSE(memory.manual);
+  EXPECT_FALSE(memory.new_stack);  // the starts are no restarts
+  robot_.RunFor(seconds(30));
+  EXPECT_EQ(robot_.stacks, 1);
+}
+
+TEST_F(SupervisorRequestsTest, UntilItHasChangedTheMemoryHoldsTheOldSiteWithAllElse) {
+  ASSERT_TRUE(Configure("safe", Hand::kPerson));
+  const SupervisorMemory memory = robot_.supervisor().Remember();
+  EXPECT_EQ(memory.site, "home");
+  EXPECT_EQ(memory.configuration, "safe");
+}
+
+TEST_F(SupervisorRequestsTest, ASiteIsNotChangedToWhatIsUnknownOrNotComplete) {
+  EXPECT_THAT(Move("hil").problem(), HasSubstr("did you mean \"hill\"?"));
+  const auto not_complete = robot_.supervisor().SetSite(
+      "hill", Hand::kPerson, [](const std::string&) { return Outcome(Problem{"no map"}); });
+  EXPECT_EQ(not_complete.problem(), "no map");
+  EXPECT_EQ(Move("home").value(), "the robot is at home already");
+  EXPECT_EQ(robot_.supervisor().Remember().site, "home");
+  robot_.RunFor(seconds(10));
+  EXPECT_EQ(robot_.stacks, 0);
+}
+
+TEST_F(SupervisorRequestsTest, ATreeDoesNotChangeTheSiteWhileAPersonHoldsTheConfiguration) {
+  ASSERT_TRUE(Configure("mapping", Hand::kPerson));
+  EXPECT_THAT(Move("hill", Hand::kTree).problem(), HasSubstr("held by hand"));
+  robot_.supervisor().Release();
+  EXPECT_TRUE(Move("hill", Hand::kTree));
+}
+
+TEST_F(SupervisorRequestsTest, NobodyChangesTheSiteInASafeStop) {
+  GiveUpNav();
+  EXPECT_THAT(Move("hill").problem(), HasSubstr("safe stop"));
 }
 
 }  // namespace

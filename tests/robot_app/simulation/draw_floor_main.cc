@@ -59,7 +59,7 @@ int Draw(const Floor& floor, const Pose2& start, double seconds) {
   options.start = start;
   World world(floor, options);
   while (world.time() < seconds) world.Step(0.02);
-  const GridMap map = MakeGridMap(floor);
+  const GridMap map = MakeGridMap(floor, floor.resolution);
   Picture picture(map);
   for (const FloorWaypoint& w : floor.waypoints)
     picture.Disc(w.pose.position(), 0.1, {255, 0, 255});

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
+#include "robot_app/common/places/topological_map.h"
+#include "robot_app/simulation/world.h"
 #include "tests/robot_app/simulation/test_floor.h"
 
 namespace coppice::robot::simulation {
@@ -47,6 +51,38 @@ TEST(Floor, ReadsEveryKindOfThing) {
   EXPECT_EQ(ErrorsOf("glass: [[[0, 0], [4, 0]]]"), "");
   EXPECT_EQ(ErrorsOf("doors: [{name: d, kind: sliding, hinge: [0, 0], end: [1, 0], state: open}]"),
             "");
+}
+
+TEST(Floor, WithoutAStationItSaysWhereTheRobotBegins) {
+  Diagnostics diagnostics;
+  const auto floor =
+      ParseFloor(std::string(kSmall) + "start: [1, 2, 0.5]\n", "f.yaml", diagnostics);
+  ASSERT_TRUE(floor) << diagnostics.ToString();
+  EXPECT_FALSE(floor->has_station);
+  EXPECT_EQ(floor->docked.x, 1);
+}
+
+TEST(Floor, SaysEitherWhereTheStationIsOrWhereTheRobotBegins) {
+  EXPECT_THAT(ErrorsOf("start: [1, 2, 0.5]"), HasSubstr("f.yaml:4:8"));
+}
+
+TEST(Floor, EveryShippedSiteHasAWorldInWhichTheRobotCanStandAtItsPlaces) {
+  for (const auto& site :
+       std::filesystem::directory_iterator(SourceFolder() + "/robot_app/config/sites")) {
+    Diagnostics diagnostics;
+    const auto floor = LoadFloor((site.path() / "world.yaml").string(), diagnostics);
+    const auto map = TopologicalMap::Load((site.path() / "places.yaml").string(), diagnostics);
+    ASSERT_TRUE(floor && map) << diagnostics.ToString();
+    EXPECT_EQ(floor->name, site.path().filename());
+    EXPECT_EQ(map->site(), floor->name);
+    EXPECT_EQ(map->FirstOf("station") >= 0, floor->has_station);
+    World world(*floor);
+    for (const Place& place : map->places()) {
+      if (!place.pose || place.Is("station")) continue;
+      EXPECT_TRUE(world.Kidnap({place.pose->x, place.pose->y, place.pose->yaw}))
+          << floor->name << ": " << place.name;
+    }
+  }
 }
 
 TEST(Floor, TheLandmarkOfTheInstituteIsTheOneThatTheRobotLooksFor) {

@@ -22,7 +22,7 @@ inline Floor MakeRoom() {
 }
 
 inline std::string InstituteFile() {
-  return SourceFolder() + "/robot_app/simulation/floors/institute.yaml";
+  return SourceFolder() + "/robot_app/config/sites/institute/world.yaml";
 }
 
 inline Floor LoadInstitute() {

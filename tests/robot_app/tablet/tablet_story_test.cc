@@ -50,9 +50,9 @@ class TabletStory : public testing::Test {
  protected:
   TabletStory() {
     Start("coppice-expression", {});
-    Start("coppice-tablet",
-          {"--knowledge", sample_.path(), "--places",
-           SourceFolder() + "/robot_app/config/places.yaml", "--port", std::to_string(port_)});
+    Start("coppice-tablet", {"--knowledge", sample_.path(), "--places",
+                             SourceFolder() + "/robot_app/config/sites/institute/places.yaml",
+                             "--port", std::to_string(port_)});
     map_.publish(Corridor());
     timer_ = node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) { Localize(); });
   }

@@ -29,7 +29,7 @@ TEST(LegTraining, TheSameOptionsLearnTheSameToTheLastBit) {
 TEST(LegTraining, OnAFloorNeverSeenFewOfThoseInFullViewAreMissed) {
   Diagnostics diagnostics;
   const auto floor = simulation::LoadFloor(
-      SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
+      SourceFolder() + "/robot_app/config/sites/institute/world.yaml", diagnostics);
   auto classifier =
       LegClassifier::Load(SourceFolder() + "/robot_app/perception/data/legs_in_scans.yaml");
   ASSERT_TRUE(classifier) << classifier.problem();

@@ -20,7 +20,7 @@ std::string TextOf(const PersonClassifier& classifier) {
 PeopleFigures MeasureShipped(bool with_picture, int scans) {
   Diagnostics diagnostics;
   const auto floor = simulation::LoadFloor(
-      SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
+      SourceFolder() + "/robot_app/config/sites/institute/world.yaml", diagnostics);
   auto classifier =
       PersonClassifier::Load(SourceFolder() + "/robot_app/perception/data/people_in_clouds.yaml");
   perception::FinderOptions options;

@@ -50,7 +50,8 @@ edges:
 
 inline TopologicalMap ShippedMap() {
   Diagnostics diagnostics;
-  auto map = TopologicalMap::Load(SourceFolder() + "/robot_app/config/places.yaml", diagnostics);
+  auto map = TopologicalMap::Load(SourceFolder() + "/robot_app/config/sites/institute/places.yaml",
+                                  diagnostics);
   EXPECT_TRUE(map) << diagnostics.ToString();
   return map.value_or(TopologicalMap());
 }

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kShipped = SourceFolder() + "/robot_app/config/places.yaml";
+const std::string kShipped = SourceFolder() + "/robot_app/config/sites/institute/places.yaml";
 constexpr Pose2D kHall{46, 0, 0};
 
 class SitePlacesTest : public testing::Test {

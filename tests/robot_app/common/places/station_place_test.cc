@@ -7,7 +7,7 @@
 namespace coppice::robot {
 namespace {
 
-const std::string kPlaces = SourceFolder() + "/robot_app/config/places.yaml";
+const std::string kPlaces = SourceFolder() + "/robot_app/config/sites/institute/places.yaml";
 
 TEST(StationPlace, IsThePlaceOfTheCategoryStation) {
   std::optional<Pose2D> station;
@@ -21,6 +21,23 @@ TEST(StationPlace, WithoutAFileItStaysAsItIs) {
   std::optional<Pose2D> station = Pose2D{1, 2, 3};
   ASSERT_TRUE(ReadStation("none", station));
   EXPECT_EQ(station->x, 1);
+}
+
+TEST(StationPlace, TheHomeOfASiteWithoutAStationIsWhereItIsPickedUp) {
+  const std::string upper = SourceFolder() + "/robot_app/config/sites/institute_upper/places.yaml";
+  std::optional<Pose2D> station, home;
+  ASSERT_TRUE(ReadStation(upper, station));
+  EXPECT_FALSE(station);
+  ASSERT_TRUE(ReadHome(upper, home));
+  ASSERT_TRUE(home);
+  EXPECT_EQ(home->x, 1.6);
+}
+
+TEST(StationPlace, TheHomeOfASiteWithAStationIsThat) {
+  std::optional<Pose2D> home;
+  ASSERT_TRUE(ReadHome(kPlaces, home));
+  ASSERT_TRUE(home);
+  EXPECT_EQ(home->x, -2.4);
 }
 
 TEST(StationPlace, AFileThatIsMissingIsAnError) {

@@ -28,7 +28,8 @@ std::string ErrorsOf(const std::string& text) {
 
 TopologicalMap Shipped() {
   Diagnostics diagnostics;
-  auto map = TopologicalMap::Load(SourceFolder() + "/robot_app/config/places.yaml", diagnostics);
+  auto map = TopologicalMap::Load(SourceFolder() + "/robot_app/config/sites/institute/places.yaml",
+                                  diagnostics);
   EXPECT_TRUE(map) << diagnostics.ToString();
   return map.value_or(TopologicalMap());
 }

@@ -19,8 +19,8 @@ class RealWayTest : public testing::Test {
   }
 
   Diagnostics diagnostics_;
-  RouteGuide guide_{
-      *TopologicalMap::Load(SourceFolder() + "/robot_app/config/places.yaml", diagnostics_)};
+  RouteGuide guide_{*TopologicalMap::Load(
+      SourceFolder() + "/robot_app/config/sites/institute/places.yaml", diagnostics_)};
 };
 
 // The robot stands in the corridor before 103.

@@ -46,7 +46,7 @@ dock: {x: -2.4, y: 1, base_frame: base, detour: 2})");
 }
 
 TEST_F(PowerFieldsTest, TheDockIsTheStationOfTheFileOfPlaces) {
-  const std::string places = SourceFolder() + "/robot_app/config/places.yaml";
+  const std::string places = SourceFolder() + "/robot_app/config/sites/institute/places.yaml";
   YamlFields fields = Open("{topic: /battery_state, node: /base, dock: {places: " + places + "}}");
   const BatteryLimits watch = ReadBatteryLimits(fields);
   EXPECT_EQ(Errors(), "");

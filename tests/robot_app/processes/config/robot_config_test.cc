@@ -12,6 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Pair;
 
 class RobotConfigTest : public testing::Test {
  protected:
@@ -254,10 +255,12 @@ TEST_F(RobotConfigTest, EnabledIsYesOrNo) {
 
 TEST_F(RobotConfigTest, PerceptionCanBeLeftOutOfTheShippedRobot) {
   const auto runs = [&](const char* perception, const std::string& name) {
-    const RobotConfig config = LoadRobotConfig(
-        SourceFolder() + "/robot_app/config/robot.yaml",
-        {{"bin", "/b"}, {"config", "/c"}, {"record", "/runs/one"}, {"perception", perception}},
-        diagnostics_);
+    const RobotConfig config = LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
+                                               {{"bin", "/b"},
+                                                {"config", SourceFolder() + "/robot_app/config"},
+                                                {"record", "/runs/one"},
+                                                {"perception", perception}},
+                                               diagnostics_);
     for (const std::size_t i : config.configurations[config.initial].processes) {
       if (config.processes[i].name == name) return true;
     }
@@ -270,16 +273,80 @@ TEST_F(RobotConfigTest, PerceptionCanBeLeftOutOfTheShippedRobot) {
   EXPECT_TRUE(runs("no", "navigation"));
 }
 
+constexpr char kSites[] = R"(
+sites:
+  initial: home
+  table: {home: {configuration: operating}, hill: {configuration: away}}
+  folder: "/runs/${site}"
+processes: [{name: a, command: ["map=${site}"]}, {name: dock, command: [x]}]
+configurations: {away: [a], operating: [a, dock]}
+)";
+
+TEST_F(RobotConfigTest, ASiteIsTheValueOfAVariableAndBeginsInItsConfiguration) {
+  const RobotConfig home = Read(kSites);
+  EXPECT_EQ(Errors(), "");
+  EXPECT_EQ(home.sites[home.site].name, "home");
+  EXPECT_EQ(home.configurations[home.initial].name, "operating");
+  const RobotConfig hill = Read(kSites, {{"site", "hill"}});
+  EXPECT_EQ(Errors(), "");
+  EXPECT_THAT(hill.processes[0].command, ElementsAre("map=hill"));
+  EXPECT_EQ(hill.configurations[hill.initial].name, "away");
+  EXPECT_EQ(hill.site_folder, "/runs/hill");
+}
+
+TEST_F(RobotConfigTest, ASiteThatNobodyKnowsIsToldWithTheNearestRightName) {
+  Read(kSites, {{"site", "hil"}});
+  EXPECT_THAT(Errors(), HasSubstr("unknown site \"hil\""));
+  EXPECT_THAT(Errors(), HasSubstr("did you mean \"hill\"?"));
+}
+
+TEST_F(RobotConfigTest, ASiteWithoutItsFilesIsNotComplete) {
+  Read(R"(
+sites: {table: {home: {configuration: all}}, files: ["/nowhere/${site}.yaml"]}
+processes: [{name: a, command: [x]}]
+configurations: {all: [a]}
+)");
+  EXPECT_THAT(Errors(), HasSubstr(":2:54: error: site \"home\": cannot read /nowhere/home.yaml"));
+}
+
+TEST_F(RobotConfigTest, TheParametersOfASiteAreThoseOfItsNodes) {
+  const std::string file = Temporary("site_parameters.yaml");
+  std::ofstream(file) << "mapping: {range: 30}\nslam: {surroundings: outdoor}\n";
+  const RobotConfig config = Read(R"(
+sites: {table: {home: {configuration: all}}, parameters: "${file}"}
+parameters: {use_sim_time: true}
+processes: [{name: a, command: [x]}]
+configurations: {all: [a]}
+)",
+                                  {{"file", file}});
+  EXPECT_EQ(Errors(), "");
+  EXPECT_THAT(config.parameters,
+              ElementsAre(Pair("mapping/range", "30"), Pair("slam/surroundings", "outdoor"),
+                          Pair("use_sim_time", "true")));
+}
+
+TEST_F(RobotConfigTest, EveryShippedSiteIsComplete) {
+  const std::string config = SourceFolder() + "/robot_app/config";
+  Variables variables = {{"bin", "/b"}, {"config", config}, {"record", "/runs/one"}};
+  for (const SiteConfig& site :
+       LoadRobotConfig(config + "/robot.yaml", variables, diagnostics_).sites) {
+    variables["site"] = site.name;
+    LoadRobotConfig(config + "/robot.yaml", variables, diagnostics_);
+    EXPECT_EQ(Errors(), "") << site.name;
+  }
+}
+
 TEST_F(RobotConfigTest, TheShippedFileIsRight) {
+  const std::string folder = SourceFolder() + "/robot_app/config";
   const RobotConfig config =
-      LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
-                      {{"bin", "/b"}, {"config", "/c"}, {"record", "/runs/one"}}, diagnostics_);
+      LoadRobotConfig(folder + "/robot.yaml",
+                      {{"bin", "/b"}, {"config", folder}, {"record", "/runs/one"}}, diagnostics_);
   EXPECT_EQ(Errors(), "");
   EXPECT_EQ(config.configurations[config.initial].name, "operating");
   for (const ProcessConfig& process : config.processes) {
     EXPECT_EQ(process.heartbeat.has_value(), process.name == "robot") << process.name;
     if (process.name != "localization") continue;
-    EXPECT_THAT(process.state, ElementsAre("/runs/one/last_pose"));
+    EXPECT_THAT(process.state, ElementsAre("/runs/one/institute/last_pose"));
   }
 }
 

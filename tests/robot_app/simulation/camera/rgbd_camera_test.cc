@@ -198,7 +198,7 @@ TEST_F(RgbdCameraTest, DamageTakesAsManyRowsAsIsSaid) {
 TEST(RgbdCameraInTheInstitute, SeesACorridorWithPeopleAtAllDistances) {
   Diagnostics diagnostics;
   const auto floor =
-      LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
+      LoadFloor(SourceFolder() + "/robot_app/config/sites/institute/world.yaml", diagnostics);
   ASSERT_TRUE(floor) << diagnostics.ToString();
   const Scene scene(MakeStillScene(*floor));
   std::vector<SeenPerson> people(4);

@@ -14,7 +14,7 @@ class SlamMapperTest : public testing::Test {
   SlamMapperTest() {
     Diagnostics diagnostics;
     const std::string app = SourceFolder() + "/robot_app";
-    floor_ = *simulation::LoadFloor(app + "/simulation/floors/institute.yaml", diagnostics);
+    floor_ = *simulation::LoadFloor(app + "/config/sites/institute/world.yaml", diagnostics);
     sensors_ = *training::SensorsOf(*RobotDescription::Load(app + "/description/sobi.urdf"));
     mapper_.step = 0.9;
     mapper_.turn = 0.6;

@@ -20,7 +20,7 @@ class PicturePlacesTest : public testing::Test {
  protected:
   PicturePlacesTest() {
     Diagnostics diagnostics;
-    floor_ = *simulation::LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml",
+    floor_ = *simulation::LoadFloor(SourceFolder() + "/robot_app/config/sites/institute/world.yaml",
                                     diagnostics);
     const auto robot = RobotDescription::Load(SourceFolder() + "/robot_app/description/sobi.urdf");
     sensors_ = *training::SensorsOf(*robot);

@@ -34,7 +34,7 @@ class SpeechNodeTest : public testing::Test {
     program_ = ChildProcess(
         {BinaryFolder() + "/bin/coppice-speech", "_knowledge:=" + folder_.Path("campus.db"),
          "_site:=sample", "_output:=folder:" + folder_.Path("said"),
-         "_places:=" + SourceFolder() + "/robot_app/config/places.yaml"},
+         "_places:=" + SourceFolder() + "/robot_app/config/sites/institute/places.yaml"},
         folder_.Path("log"));
     ASSERT_TRUE(Eventually([&] {
       return client_.isServerConnected() && ros::service::exists("/speech/hear_file", false);

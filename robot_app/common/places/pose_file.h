@@ -1,6 +1,6 @@
 // The last pose that was certain, in a file: one line "x y yaw" in metres and radians.
-#ifndef COPPICE_ROBOT_APP_LOCALIZATION_POSE_FILE_H_
-#define COPPICE_ROBOT_APP_LOCALIZATION_POSE_FILE_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_PLACES_POSE_FILE_H_
+#define COPPICE_ROBOT_APP_COMMON_PLACES_POSE_FILE_H_
 
 #include <optional>
 #include <string>
@@ -8,7 +8,7 @@
 #include "bt_core/base/outcome.h"
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot::localization {
+namespace coppice::robot {
 
 /// Nothing if there is no such file or it does not hold a pose.
 std::optional<Pose2D> LoadPose(const std::string& file);
@@ -17,6 +17,6 @@ std::optional<Pose2D> LoadPose(const std::string& file);
 /// failure.
 Outcome SavePose(const std::string& file, const Pose2D& pose);
 
-}  // namespace coppice::robot::localization
+}  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_LOCALIZATION_POSE_FILE_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_PLACES_POSE_FILE_H_

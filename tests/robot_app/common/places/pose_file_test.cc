@@ -1,11 +1,11 @@
-#include "robot_app/localization/pose_file.h"
+#include "robot_app/common/places/pose_file.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-namespace coppice::robot::localization {
+namespace coppice::robot {
 namespace {
 
 TEST(PoseFile, KeepsThePose) {
@@ -27,4 +27,4 @@ TEST(PoseFile, TellsWhyItCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace coppice::robot::localization
+}  // namespace coppice::robot

@@ -1,11 +1,11 @@
-#include "robot_app/localization/pose_file.h"
+#include "robot_app/common/places/pose_file.h"
 
 #include <cstdio>
 #include <fstream>
 
 #include "bt_core/model/write_file.h"
 
-namespace coppice::robot::localization {
+namespace coppice::robot {
 
 std::optional<Pose2D> LoadPose(const std::string& file) {
   std::ifstream stream(file);
@@ -22,4 +22,4 @@ Outcome SavePose(const std::string& file, const Pose2D& pose) {
   return Problem{diagnostics.ToString()};
 }
 
-}  // namespace coppice::robot::localization
+}  // namespace coppice::robot
