@@ -43,11 +43,10 @@ struct Settings {
 };
 
 Parameters ParametersOf(Settings& settings) {
-  return {
-      {"floor", &settings.floor_file, "description of the floor, as the simulator's"},
-      {"robot", &settings.robot_file, "description of the robot, as the simulator's"},
-      {"seed", &settings.seed, 0, 1e9, "of the noise and of how people look"},
-      {"light", &settings.light, 0, 1, "1: the sun or all lamps, 0.1: dusk; 0: as the floor's"}};
+  return {{"floor", &settings.floor_file, "description of the floor, as the simulator's"},
+          {"robot", &settings.robot_file, "description of the robot, as the simulator's"},
+          {"seed", &settings.seed, 0, 1e9, "of the noise and of how people look"},
+          {"light", &settings.light, 0, 1, "1: sun or lamps, 0.1: dusk; 0: as the floor"}};
 }
 
 sensor_msgs::CameraInfo InfoOf(const RgbdOptions& options) {
