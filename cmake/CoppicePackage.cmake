@@ -36,6 +36,7 @@ set(CPACK_DEBIAN_BTCPP_PACKAGE_NAME coppice-btcpp-compat)
 set(CPACK_DEBIAN_BTCPP_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_BTCPP_DESCRIPTION "BehaviorTree.CPP's interface for C++, on Coppice's engine.")
 set(CPACK_DEBIAN_BTCPP_PACKAGE_DEPENDS "libcoppice-dev (= ${PROJECT_VERSION}), nlohmann-json3-dev")
+set(CPACK_DEBIAN_BTCPP_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/package/btcpp/triggers)
 set(CPACK_DEBIAN_BTCPP_PACKAGE_CONFLICTS "libbehaviortree-cpp-dev, ros-noetic-behaviortree-cpp")
 
 if(TARGET coppice_python)

@@ -159,6 +159,16 @@ TEST(Loggers, EveryChangeIsToldInItsOrder) {
                             "b FAILURE IDLE", "s RUNNING FAILURE", "s FAILURE IDLE"}));
 }
 
+TEST(Loggers, AFunctionAsActionIsShownRunningFirst) {
+  BT::BehaviorTreeFactory factory;
+  factory.registerSimpleAction("Do", [](BT::TreeNode&) { return NodeStatus::SUCCESS; });
+  BT::Tree tree = factory.createTreeFromText(Main("<Do name=\"a\"/>"));
+  Transitions logger(tree);
+  tree.tickOnce();
+  EXPECT_EQ(logger.all,
+            (std::vector<std::string>{"a IDLE RUNNING", "a RUNNING SUCCESS", "a SUCCESS IDLE"}));
+}
+
 TEST(Loggers, ALoggerThatHasGoneIsNotCalled) {
   BT::BehaviorTreeFactory factory;
   BT::Tree tree = factory.createTreeFromText(Main("<AlwaysSuccess/>"));

@@ -45,7 +45,11 @@ class SimpleActionNode : public SyncActionNode {
       : SyncActionNode(name, config), tick_functor_(std::move(tick_functor)) {}
 
  protected:
-  NodeStatus tick() final { return tick_functor_(*this); }
+  // Those who watch see it RUNNING first, though it is done at once.
+  NodeStatus tick() final {
+    if (status() == NodeStatus::IDLE) setStatus(NodeStatus::RUNNING);
+    return tick_functor_(*this);
+  }
 
   TickFunctor tick_functor_;
 };
