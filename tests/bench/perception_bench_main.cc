@@ -4,6 +4,7 @@
 //   faces with and without mask              the same, in generated pictures, beside the paper's
 //   the time of each detector                for a picture of the robot's camera
 //   people in clouds, and following them     what `coppice-train people --measure` prints
+//   people by their legs in planar scans     the same of `coppice-train legs --measure`
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -18,6 +19,7 @@
 #include "robot_app/simulation/shipped_files.h"
 #include "robot_app/training/detection_figures.h"
 #include "robot_app/training/labelled_picture.h"
+#include "robot_app/training/leg_training.h"
 #include "robot_app/training/mask_training.h"
 #include "robot_app/training/people_training.h"
 #include "robot_app/training/tracking_figures.h"
@@ -46,7 +48,8 @@ const Command kBench{
      CommandOption::Text("--network-classes", "FILE", "a name a line; else COCO's"),
      CommandOption::Whole("--network-size", "N", 32, 4096, "of its square of pixels"),
      CommandOption::Whole("--pictures", "N", 1, 100000, "generated ones; else 100"),
-     CommandOption::Whole("--scans", "N", 1, 100000, "of the 3-D lidar; else 300")}};
+     CommandOption::Whole("--scans", "N", 1, 100000,
+                          "of the 3-D lidar and of the laser; else 300")}};
 
 using Clock = std::chrono::steady_clock;
 
@@ -179,6 +182,20 @@ void MeasureClouds(int scans) {
               Summary(MeasureTracking({&finder, nullptr, nullptr}, scenario)).c_str());
 }
 
+// --- legs in scans ---
+
+void MeasureScans(int scans) {
+  perception::LegFinder finder(
+      {}, OrThrow(perception::LegClassifier::Load(DataFile("legs_in_scans.yaml"))));
+  const auto floor = OrThrow(simulation::FindFloor(simulation::kInstitute));
+  std::printf("\nPeople by their legs in scans of the planar laser\n\n%s",
+              Table(MeasureLegs(finder, SiteOf(floor), scans, 0, kSeed)).c_str());
+  TrackingScenario scenario;
+  scenario.seed = kSeed;
+  std::printf("\nTen people for a minute, lidar and cameras dead: %s",
+              Summary(MeasureTracking({nullptr, nullptr, &finder}, scenario)).c_str());
+}
+
 void Run(const Options& options) {
   std::unique_ptr<Detector> network;
   if (options.Has("--network")) network = Network(options);
@@ -191,6 +208,7 @@ void Run(const Options& options) {
   }
   MeasureTimes(network.get());
   MeasureClouds(static_cast<int>(options.Whole("--scans", 300)));
+  MeasureScans(static_cast<int>(options.Whole("--scans", 300)));
 }
 
 int Main(const std::vector<std::string>& arguments) {

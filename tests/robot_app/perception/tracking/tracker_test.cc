@@ -105,6 +105,18 @@ TEST(Tracker, NamesTheSensorsThatSawThePersonWithinASecond) {
   EXPECT_EQ(Confirmed(tracker).at(0).modalities, 1);
 }
 
+TEST(Tracker, WhomTheLaserAloneSawIsForgottenAsSoonAsALidarsSuspect) {
+  Tracker tracker;
+  Detection legs = Seen(1, 1, 0.6);
+  legs.modality = Modality::kLaser;
+  tracker.Update(0, {legs}, InPlainView);
+  EXPECT_EQ(tracker.tracks().at(0).modalities, 4);
+  tracker.Update(0.3, {}, InPlainView);
+  EXPECT_EQ(tracker.tracks().size(), 1U);
+  tracker.Update(0.5, {}, InPlainView);
+  EXPECT_TRUE(tracker.tracks().empty());
+}
+
 TEST(Tracker, AMaskIsBelievedOnceTwoFacesToldOfItAndRemembered) {
   Tracker tracker;
   Detection face = Seen(1, 1);
