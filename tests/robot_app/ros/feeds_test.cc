@@ -47,8 +47,8 @@ class FeedsTest : public testing::Test {
         node_,
         {{executor_->Writer<double>("battery_level"), executor_->Writer<bool>("charging"),
           executor_->Writer<bool>("docked"), executor_->Writer<Health>("monitoring"),
-          executor_->Writer<std::string>("configuration"), executor_->Writer<bool>("manual"),
-          executor_->Writer<std::string>("processes"),
+          executor_->Writer<std::string>("configuration"), executor_->Writer<std::string>("site"),
+          executor_->Writer<bool>("manual"), executor_->Writer<std::string>("processes"),
           executor_->Writer<BatteryReading>("battery")}},
         clock_);
   }
