@@ -7,6 +7,7 @@
 #include <std_msgs/String.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -29,7 +30,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kWish[] = "Please take me to office one oh three.";
+// What a visitor says, and what else when he is not understood.
+constexpr const char* kWishes[] = {"Can you take me to office one oh three?",
+                                   "Please take me to office one oh three.",
+                                   "Take me to room one oh three."};
 constexpr char kVisitor[] = "en-us+f2";  // a voice of espeak-ng
 
 std::string LastLine(const std::string& path) {
@@ -110,11 +114,23 @@ class Demo {
   // What he says comes by a file instead of the microphone. Nobody in the simulation follows a
   // robot that looks back, so there is no visitor where it can.
   void LeadAVisitor() {
-    console_.Step(std::string("a visitor says: \"") + kWish + "\"");
-    const auto wish = speech::Synthesizer().Speak(kWish, {kVisitor, 140});
-    if (!wish) throw DemoFailed("the visitor cannot speak: " + wish.problem());
+    const bool is_led = std::any_of(std::begin(kWishes), std::end(kWishes),
+                                    [this](const char* wish) { return AskToBeLed(wish); });
+    if (!is_led) throw DemoFailed("it did not understand the visitor");
+    WaitOrFail("the visitor to be led", 300,
+               [](const RobotView& view) { return !view.outcome.empty(); });
+    const RobotView led = watch_->view();
+    if (led.outcome != "arrived") throw DemoFailed("leading the visitor ended: " + led.outcome);
+    console_.Tell("the visitor was led to " + led.led_to);
+  }
+
+  // Whether it was understood.
+  bool AskToBeLed(const std::string& wish) {
+    console_.Step("a visitor says: \"" + wish + "\"");
+    const auto spoken = speech::Synthesizer().Speak(wish, {kVisitor, 140});
+    if (!spoken) throw DemoFailed("the visitor cannot speak: " + spoken.problem());
     const std::string file = (settings_.folder / "visitor.wav").string();
-    if (const Outcome written = speech::WriteWav(file, wish->sound); !written) {
+    if (const Outcome written = speech::WriteWav(file, spoken->sound); !written) {
       throw DemoFailed(written.problem());
     }
     const int answers = watch_->view().answers;
@@ -123,12 +139,7 @@ class Demo {
                [answers](const RobotView& view) { return view.answers > answers; });
     const RobotView answered = watch_->view();
     console_.Tell("heard: \"" + answered.heard + "\"; the robot: \"" + answered.answer + "\"");
-    if (answered.led_to.empty()) throw DemoFailed("it did not understand the visitor");
-    WaitOrFail("the visitor to be led", 300,
-               [](const RobotView& view) { return !view.outcome.empty(); });
-    const std::string outcome = watch_->view().outcome;
-    if (outcome != "arrived") throw DemoFailed("leading the visitor ended: " + outcome);
-    console_.Tell("the visitor was led to " + answered.led_to);
+    return !answered.led_to.empty();
   }
 
   // It hears nothing while it speaks itself.

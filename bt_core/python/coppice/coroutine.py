@@ -55,9 +55,10 @@ class _Work:
     def result(self) -> Status:
         """Once it has ended. Raises what it raised."""
         assert self._task is not None
-        status, error = self._task.result()
+        ended, error = self._task.result()
         if error is not None:
             raise error
+        status: Status = ended
         return status
 
 

@@ -36,7 +36,7 @@ struct Recognition {
 
 /// A confidence below which it is better to ask again: of what is wrong two thirds are below it, of
 /// what is right one in twenty (./dev bench speech).
-inline constexpr double kSureEnough = 0.7;
+inline constexpr double kSureEnough = 0.6;
 
 struct HeardUtterance {
   Recognition recognition;

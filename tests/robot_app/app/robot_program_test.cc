@@ -110,7 +110,7 @@ TEST_F(RobotProgramTest, TellsItsFiguresToPrometheus) {
   Start({"--metrics-port", std::to_string(port)});
   ASSERT_TRUE(ComesToLife());
   WebCaller caller(static_cast<std::uint16_t>(port));
-  EXPECT_THAT(caller.Ask("GET /metrics HTTP/1.0\r\n\r\n"), HasSubstr("200 OK"));
+  EXPECT_THAT(caller.Ask("GET /metrics HTTP/1.0\r\nHost: localhost\r\n\r\n"), HasSubstr("200 OK"));
   const std::string figures = caller.Rest();
   EXPECT_THAT(figures, HasSubstr("coppice_ticks_total{tree=\"application\"}"));
   EXPECT_THAT(figures, HasSubstr("coppice_ticks_total{tree=\"monitor\"}"));

@@ -241,9 +241,20 @@ TEST_F(RgbdCameraTest, ALensWhoseHorizonIsARowOfItsOwnHasNoDepthThere) {
 
 TEST_F(RgbdCameraTest, FromOutsideOfAllWallsItSeesTheSkyAndTheFloor) {
   still_ = {};
+  still_.light = 0.2;  // dusk
   const RgbdPicture seen = Take();
   EXPECT_NEAR(DepthAt(seen, 4, 0, 0), 4, 0.25);
   EXPECT_EQ(seen.depth.at(320, 10), 0);
+}
+
+TEST_F(RgbdCameraTest, InTheSunItMeasuresNoDepthBeyondTwoMetres) {
+  still_ = {};
+  still_.AddBox({{1.8, 0}, {0.6, 1.2}, 0}, 0.75, Material::kFurniture);
+  const RgbdPicture seen = Take();
+  const auto& depths = seen.depth.millimetres;
+  const int farthest = *std::max_element(depths.begin(), depths.end());
+  EXPECT_GT(farthest, 1000) << "the box";
+  EXPECT_LT(farthest, 2100);
 }
 
 }  // namespace
