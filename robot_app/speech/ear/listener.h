@@ -34,8 +34,8 @@ struct Recognition {
   double confidence = 0;  ///< 0..1: that it means what was meant
 };
 
-/// A confidence below which it is better to ask again: of what is wrong two thirds are below it, of
-/// what is right one in twenty (./dev bench speech).
+/// A confidence below which it is better to ask again: half of what is wrong is below it, and hardly
+/// anything that is right (./dev bench speech).
 inline constexpr double kSureEnough = 0.6;
 
 struct HeardUtterance {
