@@ -1,5 +1,5 @@
 # `cmake --install build --prefix PREFIX`: the engine's libraries, headers and command line, and what
-# find_package(coppice) needs, the editor, its page. The robot is run from the build folder.
+# find_package(coppice) needs, the editor, its page, the robot.
 #   find_package(coppice 0.1 REQUIRED)
 #   target_link_libraries(my_robot coppice::bt_core coppice::record coppice::live)
 # coppice-config.cmake.in lists the targets; CoppicePackage.cmake packs the components.
@@ -103,6 +103,10 @@ if(HELP2MAN)
   if(TARGET coppice-edit)
     coppice_install_made(editor told.sh ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} edit diff export)
   endif()
+endif()
+
+if(COPPICE_ROBOT)
+  include(CoppiceInstallRobot)
 endif()
 
 # The page lies where the installed program looks for it.

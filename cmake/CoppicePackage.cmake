@@ -6,7 +6,7 @@
 #   coppice-editor  the editor, `coppice diff` and `coppice export`, the example; its icon, and that
 #                   it opens records and trees
 #   coppice-web     the editor as a page, for `coppice run --web` (with -DCOPPICE_WEB=ON)
-# The robot is run from its build folder.
+#   coppice-robot   all programs of the robot, its trees and configurations, the unit for systemd
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packs what is built: no test, no robot
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -60,6 +60,19 @@ if(TARGET coppice-edit)
   set(CPACK_DEBIAN_EDITOR_PACKAGE_DEPENDS
       "coppice (= ${PROJECT_VERSION}), fonts-dejavu-core, fonts-font-awesome")
   set(CPACK_DEBIAN_EDITOR_PACKAGE_RECOMMENDS "fonts-wqy-microhei | fonts-noto-cjk")
+endif()
+
+if(COPPICE_ROBOT)
+  list(APPEND CPACK_COMPONENTS_ALL robot)
+  set(CPACK_DEBIAN_ROBOT_PACKAGE_NAME coppice-robot)
+  set(CPACK_DEBIAN_ROBOT_PACKAGE_SECTION science)
+  set(CPACK_COMPONENT_ROBOT_DESCRIPTION
+      "A service robot that repairs itself: its programs, trees, simulation and supervision.")
+  # What its programs start or read, and no linker knows.
+  set(CPACK_DEBIAN_ROBOT_PACKAGE_DEPENDS
+      "coppice (= ${PROJECT_VERSION}), adduser, python3-rosmaster, espeak-ng-data, pocketsphinx-en-us, libjs-three, opencv-data, tzdata")
+  set(CPACK_DEBIAN_ROBOT_PACKAGE_SUGGESTS "coppice-editor, chrony, postgresql, prometheus")
+  set(CPACK_DEBIAN_ROBOT_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/package/robot/postinst)
 endif()
 
 if(COPPICE_WEB)

@@ -4,6 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "robot_app/common/shipped.h"
+
 namespace coppice::robot {
 namespace {
 
@@ -46,7 +48,7 @@ DemoSettings ReadDemoSettings(const std::vector<std::string>& arguments) {
   settings.editor = !options.Has("--no-editor");
   settings.perception = options.Real("--speed", 5) <= 1;
   settings.programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  settings.source = COPPICE_SOURCE_DIR;
+  settings.source = Shipped(COPPICE_SOURCE_DIR);
   settings.folder = std::filesystem::absolute(options.Get("--run", "runs/" + Timestamp()));
   return settings;
 }

@@ -19,7 +19,7 @@ struct DemoSettings {
   bool perception = false;         ///< look for people: in real time or slower
   std::filesystem::path folder;    ///< everything of this run
   std::filesystem::path programs;  ///< build/bin
-  std::filesystem::path source;    ///< the project
+  std::filesystem::path source;    ///< the project, or what is installed of it
 };
 
 const Command& DemoCommand();

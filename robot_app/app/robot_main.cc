@@ -21,6 +21,7 @@
 #include "robot_app/common/places/site_places.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_clock.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/ros/duty_feed.h"
 #include "robot_app/ros/feeds.h"
 #include "robot_app/ros/people_feed.h"
@@ -104,7 +105,7 @@ leaves::Pose2D HomeOf(const TopologicalMap& map) {
 
 SitePhrases PhrasesOf(const Options& options) {
   Diagnostics diagnostics;
-  SitePhrases phrases(options.Get("--phrases", COPPICE_PHRASES), diagnostics);
+  SitePhrases phrases(options.Get("--phrases", Shipped(COPPICE_PHRASES)), diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors()) throw std::runtime_error("the robot knows not what to say");
   return phrases;

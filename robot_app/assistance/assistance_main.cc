@@ -16,6 +16,7 @@
 #include "robot_app/assistance/assistance_node.h"
 #include "robot_app/assistance/call.h"
 #include "robot_app/assistance/page/page_node.h"
+#include "robot_app/common/shipped.h"
 
 namespace coppice::robot::assistance {
 namespace {
@@ -102,7 +103,8 @@ std::unique_ptr<PageNode> OpenPage(ros::NodeHandle& node, const AssistanceConfig
                                    const Clock& clock) {
   if (config.page.port == 0) return nullptr;
   try {
-    auto page = std::make_unique<PageNode>(node, config, options.Get("--page", COPPICE_PAGE_FOLDER),
+    auto page = std::make_unique<PageNode>(node, config,
+                                           options.Get("--page", Shipped(COPPICE_PAGE_FOLDER)),
                                            TreesOf(options), assistance, clock);
     const std::string& address = config.page.address == "*" ? "127.0.0.1" : config.page.address;
     const std::string here = "http://" + address + ":" + std::to_string(page->port());

@@ -6,6 +6,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_core/model/write_file.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/deployment/report/report.h"
 #include "robot_app/deployment/run_seeds.h"
 
@@ -39,7 +40,7 @@ const Command kReport{
     {CommandOption::Text("--out", "FOLDER", "where the report goes; else the first folder"),
      CommandOption::Text("--scenario", "FILE", "the world; else the shipped one")}};
 
-const std::string kFolder = COPPICE_ROOT "/robot_app/deployment/";
+const std::string kFolder = robot::Shipped(COPPICE_ROOT "/robot_app/deployment/");
 
 int Fail(const std::string& problem) {
   std::cerr << "coppice-deployment: " << problem << "\n";
@@ -77,7 +78,7 @@ int Run(const Options& options) {
   const Scenario scenario = ReadScenario(options, diagnostics);
   const std::vector<Controller> controllers =
       LoadControllers(options.Get("--controllers", kFolder + "controllers.yaml"), diagnostics);
-  const auto shipped = LoadShipped(COPPICE_ROOT, diagnostics);
+  const auto shipped = LoadShipped(robot::Shipped(COPPICE_ROOT), diagnostics);
   if (!shipped || diagnostics.has_errors()) return Fail(diagnostics.ToString());
 
   std::vector<std::string> names = options.GetAll("--controller");

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/expression/expression_table.h"
 #include "robot_app/expression/face_painter.h"
 #include "robot_app/expression/limbs.h"
@@ -227,11 +228,11 @@ int Fail(const std::string& problem) {
 int Run(const Settings& settings) {
   Diagnostics diagnostics;
   const std::string file =
-      settings.expressions == "shipped" ? COPPICE_EXPRESSIONS : settings.expressions;
+      settings.expressions == "shipped" ? Shipped(COPPICE_EXPRESSIONS) : settings.expressions;
   ExpressionTable table = ReadExpressions(file, diagnostics);
   if (diagnostics.has_errors()) return Fail(diagnostics.ToString());
   const Expected<RobotDescription> robot =
-      RobotDescription::Load(settings.robot == "sobi" ? COPPICE_ROBOT : settings.robot);
+      RobotDescription::Load(settings.robot == "sobi" ? Shipped(COPPICE_ROBOT) : settings.robot);
   if (!robot) return Fail(robot.problem());
   Expected<Limbs> limbs = Limbs::Of(*robot);
   if (!limbs) return Fail(limbs.problem());

@@ -8,6 +8,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_core/model/write_file.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/expression/expression_table.h"
 #include "robot_app/expression/face_painter.h"
 #include "robot_app/expression/face_texts.h"
@@ -71,7 +72,7 @@ int Main(const std::vector<std::string>& arguments) {
   if (options.exit) return *options.exit;
   Diagnostics diagnostics;
   const ExpressionTable table =
-      ReadExpressions(options.Get("--file", COPPICE_EXPRESSIONS), diagnostics);
+      ReadExpressions(options.Get("--file", Shipped(COPPICE_EXPRESSIONS)), diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors()) return 1;
   if (options.Has("--picture")) return WritePicture(table, options.Get("--picture"));

@@ -10,6 +10,7 @@
 
 #include "bt_core/base/verbs.h"
 #include "robot_app/common/largest_allocation.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/knowledge/answers/dialogue.h"
 #include "robot_app/knowledge/import/gtfs_feed.h"
 #include "robot_app/knowledge/import/read_campus.h"
@@ -144,7 +145,8 @@ std::optional<WallTime> MomentOf(const std::string& text, const SiteTime& time) 
 
 int Ask(const Options& options) {
   Diagnostics diagnostics;
-  const auto dialogue = Dialogue::Open(options.files[0], COPPICE_LANGUAGE_FOLDER, diagnostics);
+  const auto dialogue =
+      Dialogue::Open(options.files[0], Shipped(COPPICE_LANGUAGE_FOLDER), diagnostics);
   std::cerr << diagnostics.ToString();
   if (!dialogue) return 1;
   WallTime now = std::chrono::system_clock::now();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bt_core/base/command_line.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/common/web/call_server.h"
 #include "robot_app/questionnaire/answers_file.h"
 #include "robot_app/questionnaire/figures.h"
@@ -66,8 +67,8 @@ int Serve(const Questionnaire& questionnaire, const Options& options) {
   try {
     const std::string address = options.Get("--address", "127.0.0.1");
     const CallServer server(
-        {address, static_cast<std::uint16_t>(options.Whole("--port", 8092)), COPPICE_PAGE_FOLDER,
-         options.Get("--name")},
+        {address, static_cast<std::uint16_t>(options.Whole("--port", 8092)),
+         Shipped(COPPICE_PAGE_FOLDER), options.Get("--name")},
         [&](const std::string& call) { return Reply(questionnaire, options.files[0], call); });
     std::cout << "http://" << address << ":" << server.port() << std::endl;
     int signal = 0;
@@ -83,7 +84,7 @@ int Main(const std::vector<std::string>& arguments) {
   if (options.exit) return *options.exit;
   Diagnostics diagnostics;
   const Questionnaire questionnaire =
-      Questionnaire::Load(options.Get("--questions", COPPICE_GODSPEED), diagnostics);
+      Questionnaire::Load(options.Get("--questions", Shipped(COPPICE_GODSPEED)), diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors()) return 1;
   return options.Has("--figures") ? ShowFigures(questionnaire, options.files[0])

@@ -1,5 +1,7 @@
 #include "robot_app/simulation/shipped_files.h"
 
+#include "robot_app/common/shipped.h"
+
 namespace coppice::robot::simulation {
 namespace {
 
@@ -16,13 +18,13 @@ Outcome MountAs(const RobotDescription& robot, const char* frame, Options& optio
 
 Expected<Floor> FindFloor(const std::string& name) {
   Diagnostics diagnostics;
-  const auto floor = LoadFloor(name == kInstitute ? COPPICE_FLOOR : name, diagnostics);
+  const auto floor = LoadFloor(name == kInstitute ? Shipped(COPPICE_FLOOR) : name, diagnostics);
   if (!floor) return Problem{ToString(diagnostics.all().front())};
   return *floor;
 }
 
 Expected<RobotDescription> FindRobot(const std::string& name) {
-  return RobotDescription::Load(name == kSobi ? COPPICE_ROBOT : name);
+  return RobotDescription::Load(name == kSobi ? Shipped(COPPICE_ROBOT) : name);
 }
 
 Outcome Apply(const RobotDescription& robot, WorldOptions& options) {

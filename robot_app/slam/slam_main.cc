@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/common/transforms/eigen_transform.h"
 #include "robot_app/localization/pose_history.h"
 #include "robot_app/mapping/map_message.h"
@@ -367,7 +368,7 @@ int Fail(const std::string& problem) {
 }
 
 std::string FileOr(const std::string& file, const char* shipped) {
-  return file == kShipped ? shipped : file;
+  return file == kShipped ? Shipped(shipped) : file;
 }
 
 // The map of the folder; a folder without one is where the first one goes.

@@ -21,6 +21,7 @@
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/service_call.h"
 #include "robot_app/common/service_caller.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/common/web/call_server.h"
 #include "robot_app/knowledge/import/fill_database.h"
 #include "robot_app/tablet/tablet_desk.h"
@@ -174,8 +175,8 @@ std::unique_ptr<TabletDesk> OpenDesk(const Options& options, TabletLinks& links)
   const Outcome filled = knowledge::FillIfEmpty(options.Get("--knowledge"), options.Get("--site"));
   if (!filled) throw std::runtime_error(filled.problem());
   Diagnostics diagnostics;
-  auto dialogue =
-      knowledge::Dialogue::Open(options.Get("--knowledge"), COPPICE_LANGUAGE_FOLDER, diagnostics);
+  auto dialogue = knowledge::Dialogue::Open(options.Get("--knowledge"),
+                                            Shipped(COPPICE_LANGUAGE_FOLDER), diagnostics);
   auto map = TopologicalMap::Load(options.Get("--places"), diagnostics);
   std::cerr << diagnostics.ToString();
   if (!dialogue || !map) throw std::runtime_error("without them the tablet knows nothing");
@@ -187,10 +188,11 @@ int Serve(const Options& options) {
   ros::NodeHandle node;
   RosLinks links(node);
   const std::unique_ptr<TabletDesk> desk = OpenDesk(options, links);
-  const CallServer server({options.Get("--address", "127.0.0.1"),
-                           static_cast<std::uint16_t>(options.Whole("--port", 8091)),
-                           options.Get("--page", COPPICE_TABLET_FOLDER), options.Get("--name")},
-                          [&](const std::string& call) { return desk->Reply(call); });
+  const CallServer server(
+      {options.Get("--address", "127.0.0.1"),
+       static_cast<std::uint16_t>(options.Whole("--port", 8091)),
+       options.Get("--page", Shipped(COPPICE_TABLET_FOLDER)), options.Get("--name")},
+      [&](const std::string& call) { return desk->Reply(call); });
   const TabletNode robot(*desk, node);
   ROS_INFO("the tablet's page is served at http://%s:%d",
            options.Get("--address", "127.0.0.1").c_str(), server.port());

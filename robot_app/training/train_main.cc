@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/base/command_line.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/perception/detection/mask_detector.h"
 #include "robot_app/training/leg_training.h"
 #include "robot_app/training/mask_training.h"
@@ -69,7 +70,7 @@ constexpr SensesTried kSensesTried[] = {{"lidar", true, false, false},
 // The cameras of the shipped robot with all that is built in.
 Expected<CameraPair> MakeCameras(const std::string& classifier_file, perception::Detector& detector,
                                  const CameraPeriods& periods, std::uint64_t seed) {
-  const auto robot = RobotDescription::Load(COPPICE_ROBOT);
+  const auto robot = RobotDescription::Load(Shipped(COPPICE_ROBOT));
   if (!robot) return Problem{robot.problem()};
   std::vector<Mount> mounts;
   std::vector<perception::PeopleInPictures> people;
@@ -88,7 +89,7 @@ Expected<CameraPair> MakeCameras(const std::string& classifier_file, perception:
 // they take long.
 int MeasureFollowing(perception::PeopleFinder& lidar, const Options& options,
                      const TrackingScenario& scenario) {
-  auto classifier = perception::LegClassifier::Load(COPPICE_LEGS);
+  auto classifier = perception::LegClassifier::Load(Shipped(COPPICE_LEGS));
   if (!classifier) return Fail(classifier.problem());
   perception::LegFinder laser({}, std::move(*classifier));
   auto detector = perception::MakeDetector({});
@@ -112,7 +113,7 @@ int MeasureFollowing(perception::PeopleFinder& lidar, const Options& options,
 
 int MeasurePeopleIn(const Options& options) {
   Diagnostics diagnostics;
-  const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
+  const auto floor = simulation::LoadFloor(Shipped(COPPICE_FLOOR), diagnostics);
   if (!floor) return Fail(diagnostics.ToString());
   auto classifier = perception::PersonClassifier::Load(options.files[1]);
   if (!classifier) return Fail(classifier.problem());
@@ -141,7 +142,7 @@ int TrainPeopleTo(const Options& options) {
 
 int MeasureLegsIn(const Options& options) {
   Diagnostics diagnostics;
-  const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
+  const auto floor = simulation::LoadFloor(Shipped(COPPICE_FLOOR), diagnostics);
   if (!floor) return Fail(diagnostics.ToString());
   auto classifier = perception::LegClassifier::Load(options.files[1]);
   if (!classifier) return Fail(classifier.problem());
@@ -217,9 +218,9 @@ int TrainPlacesTo(const Options& options) {
 // those alone that odometry may confuse.
 int MeasurePlacesIn(const Options& options) {
   Diagnostics diagnostics;
-  const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
+  const auto floor = simulation::LoadFloor(Shipped(COPPICE_FLOOR), diagnostics);
   if (!floor) return Fail(diagnostics.ToString());
-  const auto robot = RobotDescription::Load(COPPICE_ROBOT);
+  const auto robot = RobotDescription::Load(Shipped(COPPICE_ROBOT));
   if (!robot) return Fail(robot.problem());
   const auto sensors = SensorsOf(*robot);
   if (!sensors) return Fail(sensors.problem());

@@ -56,6 +56,14 @@ fi
 if [ -d "$root/usr/lib/python3/dist-packages/coppice" ]; then
   expect Status.SUCCESS python3 -B -c 'import coppice; print(coppice.load("/packages/tree.xml").run())'
 fi
+if [ -x "$root/usr/bin/coppice-robot" ]; then
+  robot=/usr/share/coppice/robot
+  expect "" coppice check --models $robot/trees/models.xml $robot/trees/monitor/monitor.xml
+  inside id robot > /dev/null  # whom the unit runs as
+  # The whole robot under its supervisor: it drives, and ends in order.
+  expect "The demonstration went well" \
+    coppice-demo --rounds 1 --stops 1 --no-editor --run /packages/run
+fi
 mkdir "$root/packages/robot"
 cat > "$root/packages/robot/CMakeLists.txt" << 'CMAKE'
 cmake_minimum_required(VERSION 3.16)

@@ -1,5 +1,6 @@
 # Packs this build into Debian packages, unpacks them side by side into a folder, as installing does,
-# and uses what lies there. Called with -D BUILD, WORK, EDITOR, WEB, VERSION.
+# and uses what lies there. Called with -D BUILD, WORK, EDITOR, PYTHON,
+# WEB, ROBOT, VERSION.
 cmake_minimum_required(VERSION 3.16)
 
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
@@ -17,6 +18,9 @@ if(PYTHON)
 endif()
 if(WEB)
   list(APPEND expected coppice-web)
+endif()
+if(ROBOT)
+  list(APPEND expected coppice-robot)
 endif()
 foreach(name ${expected})
   file(GLOB package ${WORK}/packages/${name}_*.deb)
@@ -48,6 +52,17 @@ if(PYTHON)
 endif()
 if(EDITOR)
   run(${bin}/coppice edit ${share}/examples/delivery.xml --headless --picture ${WORK}/delivery.png)
+endif()
+if(ROBOT)  # it finds what it ships beside itself
+  run(${bin}/coppice check --models ${share}/robot/trees/models.xml
+      ${share}/robot/trees/monitor/monitor.xml)
+  run(${bin}/coppice-deployment run --seeds 1 --days 1 --out ${WORK}/days)
+  run(${bin}/coppice-face)
+  file(GLOB_RECURSE units ${WORK}/root/usr/lib/systemd/system/*.service)
+  file(STRINGS "${units}" start REGEX ExecStart)
+  if(NOT start MATCHES "/usr/bin/coppice-supervisor --config /usr/share/coppice/robot/")
+    message(FATAL_ERROR "the unit starts ${start}")
+  endif()
 endif()
 if(WEB)
   expect("in a browser: http://"

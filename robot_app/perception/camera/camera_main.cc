@@ -14,6 +14,7 @@
 
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/common/transforms/eigen_transform.h"
 #include "robot_app/perception/camera/damaged_rows.h"
 #include "robot_app/perception/camera/people_in_pictures.h"
@@ -318,7 +319,7 @@ Expected<std::vector<std::string>> NamesIn(const std::string& cameras) {
 DetectorChoice ChoiceOf(const Settings& settings) {
   DetectorChoice choice = settings.detectors;
   const bool is_shipped = settings.mask_classifier == kShipped;
-  choice.mask_file = is_shipped ? COPPICE_MASKS : settings.mask_classifier;
+  choice.mask_file = is_shipped ? Shipped(COPPICE_MASKS) : settings.mask_classifier;
   return choice;
 }
 
@@ -336,8 +337,8 @@ int Main(int argc, char** argv) {
     std::optional<PersonClassifier> classifier;
     if (settings.depth_classifier != "none") {
       const bool is_shipped = settings.depth_classifier == kShipped;
-      auto loaded =
-          PersonClassifier::Load(is_shipped ? COPPICE_CLASSIFIER : settings.depth_classifier);
+      auto loaded = PersonClassifier::Load(is_shipped ? Shipped(COPPICE_CLASSIFIER)
+                                                      : settings.depth_classifier);
       if (!loaded) return Refuse(loaded.problem());
       classifier.emplace(std::move(*loaded));
     }

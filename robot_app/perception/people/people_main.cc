@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/shipped.h"
 #include "robot_app/perception/people/people_follower.h"
 #include "robot_app/perception/people/people_messages.h"
 #include "robot_app/perception/people/record_command.h"
@@ -164,7 +165,7 @@ class PeopleNode {
 };
 
 std::string FileOf(const std::string& setting, const char* shipped) {
-  return setting == kShipped ? shipped : setting;
+  return setting == kShipped ? Shipped(shipped) : setting;
 }
 
 int Run(const Settings& settings) {
@@ -185,6 +186,8 @@ int Run(const Settings& settings) {
 int main(int argc, char** argv) {
   using namespace coppice::robot::perception;  // NOLINT: the whole program
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (IsAboutRecord(arguments)) return LookIntoRecord(arguments, COPPICE_CLASSIFIER, COPPICE_LEGS);
+  if (IsAboutRecord(arguments))
+    return LookIntoRecord(arguments, coppice::robot::Shipped(COPPICE_CLASSIFIER),
+                          coppice::robot::Shipped(COPPICE_LEGS));
   return coppice::robot::RunNode<Settings>(argc, argv, "people_tracker", kHelp, Run);
 }

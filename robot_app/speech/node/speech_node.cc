@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 
+#include "robot_app/common/shipped.h"
 #include "robot_app/knowledge/answers/real_way.h"
 #include "robot_app/speech/node/spinner_task.h"
 #include "robot_app/speech/sound/wav_file.h"
@@ -35,7 +36,8 @@ Expected<std::unique_ptr<SpeechNode>> SpeechNode::Make(SpeechSettings settings) 
   if (!device) return Problem{device.problem()};
   parts.device = *std::move(device);
   if (!settings.knowledge.empty()) {
-    auto opened = Conversation::Open(settings.knowledge, settings.site, COPPICE_LANGUAGE_FOLDER);
+    auto opened =
+        Conversation::Open(settings.knowledge, settings.site, Shipped(COPPICE_LANGUAGE_FOLDER));
     if (!opened) return Problem{opened.problem()};
     parts.conversation = *std::move(opened);
   }
@@ -80,7 +82,7 @@ void SpeechNode::Serve() {
   services_.push_back(node_.advertiseService("/speech/listen", &SpeechNode::OnListen, this));
   services_.push_back(node_.advertiseService("/speech/hear_file", &SpeechNode::OnHearFile, this));
   listener_ = std::make_unique<Listener>(
-      ListenerSettings{settings_.knowledge, COPPICE_LANGUAGE_FOLDER, kEnglishModel,
+      ListenerSettings{settings_.knowledge, Shipped(COPPICE_LANGUAGE_FOLDER), kEnglishModel,
                        settings_.transcription, !parts_.device.empty()},
       [this](const HeardUtterance& heard) { SpinnerTask::Post([this, heard] { OnHeard(heard); }); },
       Warn);
