@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bt_core/base/verbs.h"
-#include "robot_app/common/largest_allocation.h"
+#include "robot_app/common/limits/largest_allocation.h"
 #include "robot_app/common/shipped.h"
 #include "robot_app/knowledge/answers/dialogue.h"
 #include "robot_app/knowledge/import/gtfs_feed.h"

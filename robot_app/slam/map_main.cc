@@ -13,7 +13,7 @@
 #include "bt_core/model/utf8.h"
 #include "bt_core/model/write_file.h"
 #include "robot_app/common/compressed_picture.h"
-#include "robot_app/common/largest_allocation.h"
+#include "robot_app/common/limits/largest_allocation.h"
 #include "robot_app/slam/drawing/map_picture.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"

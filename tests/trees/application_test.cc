@@ -160,7 +160,7 @@ TEST_F(Application, PressesOnWhenTheCurrentStopsBeforeTheBatteryIsFull) {
 
 TEST_F(Application, LeavesOutAPlaceThatCannotBeReached) {
   Status status = scenario_.Tick();
-  for (int i = 0; i < 400 && scenario_.CallsOf("NavigateTo 46;0;1") < 81; ++i) {
+  for (int i = 0; i < 800 && scenario_.CallsOf("SetGoingHome true") == 0; ++i) {
     ASSERT_EQ(status, Status::kRunning);
     scenario_.Answer(false);
     scenario_.Advance(5);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bt_core/base/read_file.h"
-#include "robot_app/common/run_apart.h"
+#include "robot_app/common/limits/run_apart.h"
 #include "robot_app/perception/detection/network_classes.h"
 #include "robot_app/perception/detection/network_output.h"
 #include "robot_app/perception/detection/picture_view.h"

@@ -9,7 +9,7 @@
 #include "bt_core/base/command_line.h"
 #include "bt_core/model/write_file.h"
 #include "robot_app/common/compressed_picture.h"
-#include "robot_app/common/run_apart.h"
+#include "robot_app/common/limits/run_apart.h"
 #include "robot_app/perception/drawing/floor_picture.h"
 #include "robot_app/perception/people/people_in_record.h"
 

@@ -1,4 +1,4 @@
-#include "robot_app/common/largest_allocation.h"
+#include "robot_app/common/limits/largest_allocation.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>

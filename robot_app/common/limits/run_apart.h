@@ -6,8 +6,8 @@
 //   if (!tried) return Problem{file + ": OpenCV " + tried.problem()};
 //
 // The copy has none of the other threads: what is run may not wait for one.
-#ifndef COPPICE_ROBOT_APP_COMMON_RUN_APART_H_
-#define COPPICE_ROBOT_APP_COMMON_RUN_APART_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_LIMITS_RUN_APART_H_
+#define COPPICE_ROBOT_APP_COMMON_LIMITS_RUN_APART_H_
 
 #include <chrono>
 #include <cstddef>
@@ -28,4 +28,4 @@ Expected<int> RunApart(const std::function<int()>& run, const ApartLimits& limit
 
 }  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_COMMON_RUN_APART_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_LIMITS_RUN_APART_H_

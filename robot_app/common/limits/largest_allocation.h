@@ -7,8 +7,8 @@
 // listens; with the limit it is a message that cannot be read, as any other damaged one.
 //
 // Arrays (new T[n]) have no such limit: roscpp's buffers are some. They take memory as it arrives.
-#ifndef COPPICE_ROBOT_APP_COMMON_LARGEST_ALLOCATION_H_
-#define COPPICE_ROBOT_APP_COMMON_LARGEST_ALLOCATION_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_LIMITS_LARGEST_ALLOCATION_H_
+#define COPPICE_ROBOT_APP_COMMON_LIMITS_LARGEST_ALLOCATION_H_
 
 #include <cstddef>
 
@@ -22,4 +22,4 @@ void LimitMemory(std::size_t bytes);
 
 }  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_COMMON_LARGEST_ALLOCATION_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_LIMITS_LARGEST_ALLOCATION_H_

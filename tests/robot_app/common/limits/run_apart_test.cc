@@ -1,4 +1,4 @@
-#include "robot_app/common/run_apart.h"
+#include "robot_app/common/limits/run_apart.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
