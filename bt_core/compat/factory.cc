@@ -77,6 +77,7 @@ struct BehaviorTreeFactory::PImpl {
 
   Tree Create(const BehaviorTreeFactory& factory, const std::vector<std::string>& from,
               const std::string& tree_name, Blackboard::Ptr blackboard) {
+    if (!blackboard) throw RuntimeError("A tree needs a blackboard: Blackboard::create()");
     Diagnostics diagnostics;
     const auto outer =
         blackboard->parent() ? coppice::OuterKeys::kApart : coppice::OuterKeys::kOfMainTree;
@@ -226,6 +227,7 @@ std::unique_ptr<TreeNode> BehaviorTreeFactory::instantiateTreeNode(const std::st
     }
     node = builder->second(name, config);
   }
+  if (!node) throw RuntimeError("BehaviorTreeFactory: the builder of [", id, "] has made nothing");
   node->setRegistrationID(id);
   node->config().enums = _p->enums;
   return node;

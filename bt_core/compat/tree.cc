@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iostream>
 #include <utility>
 
 #include "behaviortree_cpp/bt_factory.h"
@@ -26,7 +27,11 @@ Tree& Tree::operator=(Tree&& other) noexcept {
 }
 
 Tree::~Tree() {
-  if (run_) haltTree();
+  try {
+    haltTree();
+  } catch (...) {
+    std::cerr << "A tree is destroyed, and what watches it has thrown an exception\n";
+  }
 }
 
 TreeNode* Tree::rootNode() const {

@@ -97,10 +97,16 @@ void TreeNode::RunPostScripts(NodeStatus result) {
 }
 
 void TreeNode::HaltForEngine() {
-  own_status_.store(NodeStatus::RUNNING, std::memory_order_relaxed);
+  struct Call {
+    explicit Call(TreeNode& halted) : node(halted) {
+      internal::TreeRun::Enter(node, NodeStatus::RUNNING);
+    }
+    ~Call() { internal::TreeRun::Leave(node); }
+    TreeNode& node;
+  };
+  const Call call(*this);
   halt();
   if (has_scripts_) RunPostScript(PostCond::ON_HALTED);
-  own_status_.store(kOutside, std::memory_order_relaxed);
 }
 
 void TreeNode::haltNode() {

@@ -78,18 +78,17 @@ void TreeRun::Add(TreeNode::Ptr node, std::vector<PortLink> links) {
 }
 
 NodeStatus TreeRun::Tick() {
+  RefuseFromWithin("ticked");
   if (calls_changed_) ChooseCalled();
   if (!shared_.empty()) TakeShared();
-  gate_.Enter();
   Status result;
   try {
+    const OpenGate open(gate_);
     result = executor_->Tick();
   } catch (const coppice::TickError& error) {
-    gate_.Leave();
     if (is_watched_) tick_ended_.notify();
     RethrowOf(error.node);
   }
-  gate_.Leave();
   if (is_watched_) tick_ended_.notify();
   if (!shared_.empty()) GiveShared();
   return FromEngine(result);
@@ -114,11 +113,20 @@ void TreeRun::RethrowOf(NodeIndex index) {
 }
 
 void TreeRun::Halt() {
-  gate_.Enter();
-  executor_->Halt();
-  if (is_watched_ && !nodes_.empty()) ShowIdle(0);
-  gate_.Leave();
+  RefuseFromWithin("halted");
+  {
+    const OpenGate open(gate_);
+    executor_->Halt();
+    if (is_watched_ && !nodes_.empty()) ShowIdle(0);
+  }
   if (is_watched_) tick_ended_.notify();
+}
+
+// It would wait for itself.
+void TreeRun::RefuseFromWithin(const char* what) const {
+  if (!gate_.is_open() && halting_ != pthread_self()) return;
+  throw LogicError("A tree can not be ", what,
+                   " by one of its own nodes, nor by who watches one: return a status");
 }
 
 // What another tree's slot holds is copied, one lock at a time.
@@ -161,11 +169,10 @@ NodeStatus TreeRun::TickChild(const TreeNode& node) {
 }
 
 void TreeRun::HaltChild(const TreeNode& node) {
-  const bool unlocked = !gate_.is_open();  // from a halt() of the user's
-  if (unlocked) gate_.Enter();
+  std::optional<OpenGate> open;
+  if (!gate_.is_open()) open.emplace(gate_);  // from a halt() of the user's
   executor_->HaltChild(static_cast<NodeIndex>(node.index_));
   if (is_watched_) ShowIdle(node.index_);
-  if (unlocked) gate_.Leave();
 }
 
 bool TreeRun::is_child_of_user(const TreeNode& node) const {
@@ -183,9 +190,19 @@ NodeStatus TreeRun::StatusOf(const TreeNode& node) const {
 
 // Nobody else may be kept from the blackboard meanwhile: the node may wait for a thread of its own.
 void TreeRun::HaltNode(TreeNode& node) {
-  gate_.Leave();
+  struct ClosedGate {
+    explicit ClosedGate(TreeRun& tree) : run(tree) {
+      run.gate_.Leave();
+      run.halting_ = pthread_self();
+    }
+    ~ClosedGate() {
+      run.halting_ = pthread_t{};
+      run.gate_.Enter();
+    }
+    TreeRun& run;
+  };
+  const ClosedGate closed(*this);
   node.HaltForEngine();
-  gate_.Enter();
 }
 
 coppice::Duration TreeRun::UntilNextTick() {

@@ -2,6 +2,7 @@
 #ifndef COPPICE_BT_CORE_COMPAT_TREE_RUN_H_
 #define COPPICE_BT_CORE_COMPAT_TREE_RUN_H_
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -36,6 +37,7 @@ class TreeRun final : public coppice::NodeHooks {
   /// The next node in preorder.
   void Add(TreeNode::Ptr node, std::vector<PortLink> links);
 
+  /// Throw LogicError if a node of the tree calls them, or who watches one.
   NodeStatus Tick();
   void Halt();
   NodeStatus TickChild(const TreeNode& node);
@@ -84,6 +86,7 @@ class TreeRun final : public coppice::NodeHooks {
     std::uint32_t writes_here = 0;
   };
 
+  void RefuseFromWithin(const char* what) const;
   [[noreturn]] void RethrowOf(coppice::NodeIndex node);
   void ChooseCalled();
   void TakeShared();
@@ -93,6 +96,7 @@ class TreeRun final : public coppice::NodeHooks {
   void ShowChildren(std::uint32_t node, bool are_idle);
 
   Gate gate_;
+  std::atomic<pthread_t> halting_{};  // a node, on that thread
   coppice::WallClock clock_;
   std::unique_ptr<coppice::Executor> executor_;
   std::shared_ptr<WakeUpSignal> wake_up_;

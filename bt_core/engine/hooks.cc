@@ -10,13 +10,22 @@ void Executor::SetHooks(NodeHooks* hooks, const std::vector<NodeIndex>& nodes) {
   nodes_ = hooked_.Choose(hooks, nodes, *program_);
 }
 
+// What hooks throw counts as thrown by the node.
 Status Executor::TickHooked(NodeIndex node) {
-  const std::optional<Status> before = hooked_.hooks()->Before(node);
-  if (before) return Inject(node, *before);
-  if (hooked_.StopPretending(node)) statuses_[node] = Status::kIdle;
-  const Status result = TickAsItself(node);
-  const std::optional<Status> after = hooked_.hooks()->After(node, result);
-  return after && *after != result ? Inject(node, *after) : result;
+  try {
+    const std::optional<Status> before = hooked_.hooks()->Before(node);
+    if (before) return Inject(node, *before);
+    if (hooked_.StopPretending(node)) statuses_[node] = Status::kIdle;
+    const Status result = TickAsItself(node);
+    const std::optional<Status> after = hooked_.hooks()->After(node, result);
+    return after && *after != result ? Inject(node, *after) : result;
+  } catch (const Abort&) {
+    throw;
+  } catch (...) {
+    const Status result = FailByException(node);
+    if (statuses_[node] == Status::kRunning) HaltRunning(node);
+    return Store(node, result);
+  }
 }
 
 Status Executor::Inject(NodeIndex node, Status status) {

@@ -132,20 +132,17 @@ class TreeNode {
   /// The value of an input port, or why there is none. Any thread.
   template <class T>
   Result getInput(StringView key, T& destination) const {
-    if (gate_->is_open()) {
-      const internal::PortLink* const port = ports_.Find(key);
-      if (port && port->input && internal::ReadAsIs(port->input->value, destination)) {
-        return Result();
-      }
-    }
+    const coppice::Value* const value = OpenInput(key);
+    if (value && internal::ReadAsIs(*value, destination)) return Result();
     return ReadSlowly(key, destination);
   }
   template <class T>
   Expected<T> getInput(StringView key) const {
-    Expected<T> out;
-    const Result result = getInput(key, *out);
-    if (!result) return nonstd::make_unexpected(result.error());
-    return out;
+    if constexpr (std::is_same_v<internal::KeptAs<T>, T>) {
+      const coppice::Value* const value = OpenInput(key);
+      if (value && value->type() == &internal::TypeFor<T>()) return value->template Get<T>();
+    }
+    return ExpectSlowly<T>(key);
   }
   template <class T>
   Expected<Timestamp> getInputStamped(StringView key, T& destination) const;
@@ -231,6 +228,21 @@ class TreeNode {
     const Expected<Timestamp> stamp = getInputStamped(key, destination);
     if (!stamp) return nonstd::make_unexpected(stamp.error());
     return Result();
+  }
+
+  template <class T>
+  [[gnu::noinline]] Expected<T> ExpectSlowly(StringView key) const {
+    Expected<T> out;
+    const Result result = getInput(key, *out);
+    if (!result) return nonstd::make_unexpected(result.error());
+    return out;
+  }
+
+  // Of a port that is resolved, on the ticking thread; else null.
+  const coppice::Value* OpenInput(StringView key) const {
+    if (!gate_->is_open()) return nullptr;
+    const internal::PortLink* const port = ports_.Find(key);
+    return port && port->input ? &port->input->value : nullptr;
   }
 
   // What stands behind an input port.

@@ -34,6 +34,18 @@ class Gate {
   std::atomic<pthread_t> owner_{};
 };
 
+/// Opens it for this thread.
+class OpenGate {
+ public:
+  explicit OpenGate(Gate& gate) : gate_(gate) { gate_.Enter(); }
+  ~OpenGate() { gate_.Leave(); }
+  OpenGate(const OpenGate&) = delete;
+  OpenGate& operator=(const OpenGate&) = delete;
+
+ private:
+  Gate& gate_;
+};
+
 class GateLock {
  public:
   explicit GateLock(Gate& gate) : gate_(gate.is_open() ? nullptr : &gate) {
