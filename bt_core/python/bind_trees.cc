@@ -126,7 +126,10 @@ void BindClocks(py::module_& module) {
           "advance",
           [](SimulatedClock& clock, double seconds) {
             if (seconds < 0) throw py::value_error("time does not go back");
-            clock.Advance(FromSeconds(seconds));
+            const Duration step = FromSeconds(seconds);
+            if (step > Time::max() - clock.Now())
+              throw py::value_error("a clock ends in 292 years");
+            clock.Advance(step);
           },
           py::arg("seconds"));
 }

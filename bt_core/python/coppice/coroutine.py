@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import asyncio
 import concurrent.futures
+import os
 import threading
 from typing import Any, Callable, List, Optional, Tuple
 
@@ -97,6 +98,10 @@ class _Loop:
                 self._thread.start()
             return _Work(self._loop, coroutine, on_end)
 
+    def forget(self) -> None:
+        """In a copy of the process, which has not the thread."""
+        self.__init__()  # type: ignore[misc]
+
     def end(self) -> None:
         with self._lock:
             if self._thread is None or self._loop is None:
@@ -116,6 +121,8 @@ async def _cancel_all() -> None:
 
 
 LOOP = _Loop()
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=LOOP.forget)
 
 
 def use_event_loop(loop: asyncio.AbstractEventLoop) -> None:

@@ -135,3 +135,24 @@ while tree.status != RUNNING:
 """)
     out, error = lines_of(process)
     assert process.returncode == 0 and error == "" and out in ([], ["waits", "cancelled"])
+
+
+def test_a_copy_of_the_process_has_coroutines_of_its_own():
+    process = program("""
+import asyncio
+class Wait(AsyncAction):
+    async def run(self):
+        await asyncio.sleep(0.001)
+        return SUCCESS
+def run():
+    tree = coppice.loads('<root BTCPP_format="4"><BehaviorTree ID="Main"><Wait/></BehaviorTree>'
+                         '</root>', [Wait])
+    print(tree.run(), flush=True)
+run()
+copy = os.fork()
+run()
+if copy:
+    os.waitpid(copy, 0)
+""")
+    out, error = lines_of(process)
+    assert process.returncode == 0 and error == "" and out == ["Status.SUCCESS"] * 3

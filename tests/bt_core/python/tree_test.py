@@ -113,6 +113,13 @@ def test_run_on_simulated_time_takes_the_time_that_the_tree_needs():
     assert clock.now() == 3600
 
 
+def test_a_clock_does_not_go_beyond_its_end():
+    clock = SimulatedClock(9e9)
+    with pytest.raises(ValueError, match="292 years"):
+        clock.advance(1e9)
+    assert clock.now() == 9e9
+
+
 def test_nodes_have_status_and_place():
     tree = coppice.loads(xml('<Sequence name="all">\n<Hold name="hold"/></Sequence>'), [Hold])
     tree.tick()
