@@ -8,12 +8,106 @@
 
 #include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
+#include "robot_app/common/learning/flat_yaml.h"
 
 namespace coppice::robot {
 
+namespace {
+
+constexpr std::size_t kLongestFile = std::size_t{4} << 20;  // ten times what is shipped
+constexpr std::size_t kDeepest = 16;                        // levels of a tree
+
+// Of a tree in preorder: what is not more than the threshold goes to the node behind it.
+struct Node {
+  int feature = -1;  // none: a leaf
+  float threshold = 0;
+  float value = 0;
+  std::size_t other = 0;  // where the rest goes
+};
+
+// The file is read by OpenCV and understood here: OpenCV itself believes whatever numbers it holds.
+class Reader {
+ public:
+  explicit Reader(int features) : features_(features) {}
+
+  std::vector<Node> nodes;
+  std::vector<std::size_t> roots;
+
+  // False if it is damaged.
+  bool Read(const cv::FileNode& trees) {
+    for (const cv::FileNode& tree : trees) {
+      roots.push_back(nodes.size());
+      if (!ReadTree(tree["nodes"])) return false;
+    }
+    return !roots.empty();
+  }
+
+ private:
+  bool ReadTree(const cv::FileNode& told) {
+    std::vector<std::size_t> open;  // nodes whose other side is still to come
+    bool is_whole = false;
+    for (const cv::FileNode& node : told) {
+      if (is_whole || !ReadNode(node)) return false;
+      if (nodes.back().feature >= 0) {
+        open.push_back(nodes.size() - 1);
+        if (open.size() > kDeepest) return false;
+      } else if (open.empty()) {
+        is_whole = true;
+      } else {
+        nodes[open.back()].other = nodes.size();
+        open.pop_back();
+      }
+    }
+    return is_whole;
+  }
+
+  bool ReadNode(const cv::FileNode& told) {
+    Node node;
+    if (!ReadNumber(told["value"], node.value)) return false;
+    const cv::FileNode splits = told["splits"];
+    if (!splits.empty()) {
+      const cv::FileNode split = *splits.begin();
+      const cv::FileNode feature = split["var"];
+      if (!feature.isInt() || !ReadNumber(split["le"], node.threshold)) return false;
+      node.feature = static_cast<int>(feature);
+      if (node.feature < 0 || node.feature >= features_) return false;
+    }
+    nodes.push_back(node);
+    return true;
+  }
+
+  static bool ReadNumber(const cv::FileNode& told, float& number) {
+    if (!told.isReal() && !told.isInt()) return false;
+    number = static_cast<float>(told);
+    return std::isfinite(number);
+  }
+
+  const int features_;
+};
+
+}  // namespace
+
 struct BoostedTrees::Trees {
-  Subject subject;
-  cv::Ptr<cv::ml::Boost> boost = cv::ml::Boost::create();
+  int features;
+  std::string text;  // of the file
+  std::vector<Node> nodes;
+  std::vector<std::size_t> roots;
+
+  // Nothing if the text is damaged, or of something else.
+  static std::unique_ptr<Trees> From(std::string text, const Subject& subject) {
+    if (!IsFlatYaml(text)) return nullptr;
+    Reader reader(subject.features);
+    try {
+      const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
+      const cv::FileNode node = storage[subject.name];
+      const bool fits = node.isMap() && static_cast<int>(node["features"]) == subject.features;
+      if (!fits || !reader.Read(node["trees"])) return nullptr;
+    } catch (const std::exception&) {
+      return nullptr;  // its text tells of OpenCV's own sources
+    }
+    return std::make_unique<Trees>(
+        Trees{subject.features, std::move(text), std::move(reader.nodes), std::move(reader.roots)});
+  }
 };
 
 BoostedTrees::BoostedTrees(std::unique_ptr<Trees> trees) : trees_(std::move(trees)) {}
@@ -38,49 +132,46 @@ Expected<BoostedTrees> BoostedTrees::Train(const Subject& subject,
                    std::to_string(ones) + " " + subject.train + " among " +
                    std::to_string(rows.rows)};
   }
-  auto trees = std::make_unique<Trees>();
-  trees->subject = subject;
-  trees->boost->setBoostType(cv::ml::Boost::GENTLE);
-  trees->boost->setWeakCount(training.trees);
-  trees->boost->setMaxDepth(training.depth);
-  trees->boost->setWeightTrimRate(0);
-  trees->boost->train(rows, cv::ml::ROW_SAMPLE, kinds);
-  return BoostedTrees(std::move(trees));
+  const cv::Ptr<cv::ml::Boost> boost = cv::ml::Boost::create();
+  boost->setBoostType(cv::ml::Boost::GENTLE);
+  boost->setWeakCount(training.trees);
+  boost->setMaxDepth(training.depth);
+  boost->setWeightTrimRate(0);
+  boost->train(rows, cv::ml::ROW_SAMPLE, kinds);
+  cv::FileStorage storage(".yaml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
+  storage << subject.name << "{"
+          << "features" << subject.features;
+  boost->write(storage);
+  storage << "}";
+  auto trees = Trees::From(storage.releaseAndGetString(), subject);
+  if (trees) return BoostedTrees(std::move(trees));
+  return Problem{"nothing could be learnt"};
 }
 
 Outcome BoostedTrees::Save(const std::string& file) const {
-  cv::FileStorage storage(".yaml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
-  storage << trees_->subject.name << "{"
-          << "features" << trees_->subject.features;
-  trees_->boost->write(storage);
-  storage << "}";
   Diagnostics diagnostics;
-  if (WriteFile(file, storage.releaseAndGetString(), diagnostics)) return {};
+  if (WriteFile(file, trees_->text, diagnostics)) return {};
   return Problem{diagnostics.ToString()};
 }
 
 Expected<BoostedTrees> BoostedTrees::Load(const std::string& file, const Subject& subject) {
-  const auto text = ReadFile(file);
+  auto text = ReadFile(file, kLongestFile);
   if (!text) return Problem{file + ": cannot be read"};
-  try {
-    const cv::FileStorage storage(*text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    const cv::FileNode node = storage[subject.name];
-    auto trees = std::make_unique<Trees>();
-    trees->subject = subject;
-    if (!node.empty() && static_cast<int>(node["features"]) == subject.features) {
-      trees->boost->read(node);
-      if (trees->boost->isTrained()) return BoostedTrees(std::move(trees));
-    }
-  } catch (const std::exception&) {
-    // OpenCV's text tells of its own sources; its parser also lets those of the strings through
-  }
+  auto trees = Trees::From(*std::move(text), subject);
+  if (trees) return BoostedTrees(std::move(trees));
   return Problem{file + ": expected a classifier of " + std::to_string(subject.features) +
                  " features, as `coppice-train " + subject.train + "` writes it"};
 }
 
 float BoostedTrees::Probability(const float* features) const {
-  const cv::Mat row(1, trees_->subject.features, CV_32F, const_cast<float*>(features));
-  const float sum = trees_->boost->predict(row, cv::noArray(), cv::ml::DTrees::PREDICT_SUM);
+  float sum = 0;
+  for (std::size_t at : trees_->roots) {
+    const Node* node = &trees_->nodes[at];
+    while (node->feature >= 0) {
+      node = features[node->feature] <= node->threshold ? node + 1 : &trees_->nodes[node->other];
+    }
+    sum += node->value;
+  }
   return 1 / (1 + std::exp(-2 * sum));
 }
 

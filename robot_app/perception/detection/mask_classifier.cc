@@ -8,6 +8,7 @@
 
 #include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
+#include "robot_app/common/learning/flat_yaml.h"
 #include "robot_app/perception/detection/face_window.h"
 
 namespace coppice::robot::perception {
@@ -79,9 +80,11 @@ Outcome Save(const MaskClassifier& classifier, const std::string& file) {
 }
 
 Expected<MaskClassifier> LoadMaskClassifier(const std::string& file) {
-  const auto text = ReadFile(file);
+  constexpr std::size_t kLongest = std::size_t{1} << 20;
+  const auto text = ReadFile(file, kLongest);
   if (!text) return Problem{file + ": cannot be read"};
   try {
+    if (!IsFlatYaml(*text)) throw std::invalid_argument("nested");
     const cv::FileStorage storage(*text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     const cv::FileNode node = storage[kNode];
     MaskClassifier classifier;
