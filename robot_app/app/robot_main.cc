@@ -18,6 +18,7 @@
 #include "robot_app/app/tree_link.h"
 #include "robot_app/app/tree_runner.h"
 #include "robot_app/common/configuration/site_phrases.h"
+#include "robot_app/common/find_master.h"
 #include "robot_app/common/places/site_places.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_clock.h"
@@ -292,11 +293,7 @@ int Main(int argc, char** argv) {
   ros::init(argc, argv, "coppice_robot", ros::init_options::NoSigintHandler);
   const Options options = ParseOptions(RobotCommand(), {argv + 1, argv + argc});
   if (options.exit) return *options.exit;
-  if (!ros::master::check()) {
-    std::cerr << "coppice-robot: no ROS master at " << ros::master::getURI()
-              << "; start one with `roscore` or set ROS_MASTER_URI\n";
-    return 2;
-  }
+  if (!FindMaster("coppice-robot")) return 2;
   sigset_t signals;  // blocked in all threads; taken below by the main thread
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);

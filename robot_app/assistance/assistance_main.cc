@@ -16,6 +16,7 @@
 #include "robot_app/assistance/assistance_node.h"
 #include "robot_app/assistance/call.h"
 #include "robot_app/assistance/page/page_node.h"
+#include "robot_app/common/find_master.h"
 #include "robot_app/common/shipped.h"
 
 namespace coppice::robot::assistance {
@@ -134,13 +135,6 @@ void Serve(const AssistanceConfig& config, const Options& options) {
   }
 }
 
-bool FindMaster() {
-  if (ros::master::check()) return true;
-  std::cerr << "coppice-assistance: no ROS master at " << ros::master::getURI()
-            << "; start one with `roscore` or set ROS_MASTER_URI\n";
-  return false;
-}
-
 int Main(int argc, char** argv) {
   const bool is_answer = argc > 1 && std::string(argv[1]) == "--answer";
   ros::init(
@@ -149,9 +143,9 @@ int Main(int argc, char** argv) {
   const Options options = ParseOptions(AssistanceCommand(), {argv + 1, argv + argc});
   if (options.exit) return *options.exit;
   if (options.Has("--call")) return Call(options);
-  if (options.Has("--answer")) return FindMaster() ? Answer(options) : 2;
+  if (options.Has("--answer")) return FindMaster("coppice-assistance") ? Answer(options) : 2;
   const std::optional<AssistanceConfig> config = Load(options);
-  if (!config || !FindMaster()) return 2;
+  if (!config || !FindMaster("coppice-assistance")) return 2;
   std::signal(SIGINT, RequestStop);
   std::signal(SIGTERM, RequestStop);
   try {

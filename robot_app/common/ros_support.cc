@@ -2,7 +2,6 @@
 
 #include <ros/console.h>
 #include <ros/init.h>
-#include <ros/master.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
 
@@ -11,7 +10,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "robot_app/common/node_probe.h"
+#include "robot_app/common/find_master.h"
 
 namespace coppice::robot {
 namespace {
@@ -53,13 +52,7 @@ std::optional<int> StartNode(int argc, char** argv, const std::string& name,
   const auto stop = [](int) { ros::requestShutdown(); };
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
-  NodeProbe::SilenceLibrary();
-  const std::string uri = ros::master::getURI();
-  const auto master = ParseUri(uri);
-  if (!master || !MasterAnswers(*master, std::chrono::seconds(2))) {
-    std::cerr << program << ": no ROS master at " << uri << " (ROS_MASTER_URI)\n";
-    return 2;
-  }
+  if (!FindMaster(program)) return 2;
   if (!ReadParametersOfNode(parameters, program)) return 2;
   return std::nullopt;
 }

@@ -2,7 +2,6 @@
 
 #include <ros/callback_queue.h>
 #include <ros/init.h>
-#include <ros/master.h>
 #include <ros/poll_manager.h>
 #include <ros/this_node.h>
 #include <unistd.h>
@@ -15,7 +14,7 @@
 #include <utility>
 
 #include "bt_core/base/command_line.h"
-#include "robot_app/common/node_probe.h"
+#include "robot_app/common/find_master.h"
 #include "robot_app/monitoring/aggregator/health_messages.h"
 #include "robot_app/monitoring/site_bands.h"
 
@@ -44,14 +43,6 @@ std::string HostName() {
   return name;
 }
 
-bool FindMaster(const std::string& name) {
-  const std::string& uri = ros::master::getURI();
-  const auto master = ParseUri(uri);
-  if (master && MasterAnswers(*master, std::chrono::seconds(2))) return true;
-  std::cerr << name << ": no ROS master at " << uri << " (ROS_MASTER_URI)\n";
-  return false;
-}
-
 }  // namespace
 
 std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::string& name) {
@@ -59,7 +50,6 @@ std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::strin
   const auto stop = [](int) { ros::requestShutdown(); };
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
-  NodeProbe::SilenceLibrary();
 
   const Options options = ParseOptions(MonitorCommand(name), {argv + 1, argv + argc});
   if (options.exit == 0) std::exit(0);

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "bt_core/base/command_line.h"
+#include "robot_app/common/find_master.h"
 #include "robot_app/common/service_call.h"
 #include "robot_app/processes/processes_view.h"
 
@@ -124,7 +125,9 @@ int Main(const std::vector<std::string>& arguments) {
   ros::init(no_arguments, nullptr, "processes",
             ros::init_options::AnonymousName | ros::init_options::NoSigintHandler |
                 ros::init_options::NoRosout);
-  if (!ros::master::check()) return Nobody();
+  // A master that ends from now on is not waited for for ever either.
+  ros::master::setRetryTimeout(ros::WallDuration(timeout));
+  if (!HasMaster()) return Nobody();
   ros::Time::init();
   const bool asks = !options.files.empty();
   if (asks && (options.Has("--watch") || options.Has("--json"))) return Usage();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bt_core/base/verbs.h"
-#include "robot_app/common/node_probe.h"
+#include "robot_app/common/find_master.h"
 #include "robot_app/storage/export/export_messages.h"
 #include "robot_app/storage/server/mongo_server.h"
 #include "robot_app/storage/server/postgres_schema.h"
@@ -67,22 +67,13 @@ std::unique_ptr<DocumentServer> MakeServer(const ServerConfig& config) {
   return std::make_unique<PostgresServer>(config);
 }
 
-bool FindMaster() {
-  NodeProbe::SilenceLibrary();
-  const auto master = ParseUri(ros::master::getURI());
-  return master && MasterAnswers(*master, std::chrono::seconds(2));
-}
-
 void RequestEnd(int) { ros::requestShutdown(); }
 
 int Run(const Options& options) {
   std::optional<StoreConfig> config = Load(options);
   if (!config) return 2;
   config->folder = options.Get("--folder", config->folder);
-  if (!FindMaster()) {
-    Fail("no ROS master at " + ros::master::getURI() + " (ROS_MASTER_URI)");
-    return 2;
-  }
+  if (!FindMaster("coppice-store")) return 2;
   std::error_code error;
   std::filesystem::create_directories(config->folder, error);
   auto spool = Spool::Open(config->folder + "/spool.db", config->spool);

@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "bt_core/base/command_line.h"
-#include "robot_app/common/node_probe.h"
+#include "robot_app/common/find_master.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/service_call.h"
 #include "robot_app/common/service_caller.h"
@@ -203,13 +203,9 @@ int Serve(const Options& options) {
 int Main(int argc, char** argv) {
   const Options options = ParseOptions(TabletCommand(), {argv + 1, argv + argc});
   if (options.exit) return *options.exit;
-  NodeProbe::SilenceLibrary();
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "tablet");
-  if (!ros::master::check()) {
-    std::cerr << "coppice-tablet: no ROS master answers\n";
-    return 2;
-  }
+  if (!FindMaster("coppice-tablet")) return 2;
   try {
     return Serve(options);
   } catch (const std::exception& error) {

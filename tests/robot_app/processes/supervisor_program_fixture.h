@@ -71,11 +71,16 @@ class SupervisorProgramTest : public testing::Test {
         Eventually([&] { return static_cast<bool>(std::ifstream(folder_ + "/port") >> port_); }));
   }
 
+  // -1 if it does not end.
+  static int ExitStatusOf(int pid) {
+    int status = 0;
+    if (!Eventually([&] { return waitpid(pid, &status, WNOHANG) == pid; })) return -1;
+    return WEXITSTATUS(status);
+  }
+
   // What a command that must end with status 2 says; `name`: of its log.
   std::string Refusal(std::vector<std::string> command, const std::string& name) {
-    int status = 0;
-    waitpid(graph_.Start(name, std::move(command)), &status, 0);
-    EXPECT_EQ(WEXITSTATUS(status), 2);
+    EXPECT_EQ(ExitStatusOf(graph_.Start(name, std::move(command))), 2);
     return Read(name + ".log");
   }
 

@@ -5,6 +5,8 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcServer.h>
+#include <xmlrpcpp/XmlRpcServerMethod.h>
 
 #include <cerrno>
 #include <cstring>
@@ -161,11 +163,9 @@ class SiteProgramTest : public SupervisorProgramTest {
 
   // By hand, as a person does it.
   int Move(const std::string& site) {
-    int status = 0;
-    waitpid(graph_.Start("move", {kPrograms + "coppice-processes", "site", site, "--master",
-                                  "http://127.0.0.1:" + std::to_string(port_)}),
-            &status, 0);
-    return WEXITSTATUS(status);
+    return ExitStatusOf(
+        graph_.Start("move", {kPrograms + "coppice-processes", "site", site, "--master",
+                              "http://127.0.0.1:" + std::to_string(port_)}));
   }
 };
 
@@ -208,11 +208,10 @@ TEST_F(SiteProgramTest, KilledAtAnyMomentOfTheChangeItIsAtTheOldSiteOrAtTheNewOn
     const auto kill_at = std::chrono::steady_clock::now() + std::chrono::milliseconds(after);
     Eventually([&] { return std::chrono::steady_clock::now() >= kill_at; });
     graph_.Kill(supervisor_, SIGKILL);
-    int status = 0;
-    waitpid(mover, &status, 0);
+    const int status = ExitStatusOf(mover);
     StartSupervisor();
     ASSERT_TRUE(Eventually([&] { return IsAt("home") || IsAt("hill"); })) << after;
-    if (WEXITSTATUS(status) == 0) {
+    if (status == 0) {
       EXPECT_TRUE(IsAt("hill")) << after;  // it was promised
     }
     arrived += IsAt("hill");
@@ -427,10 +426,9 @@ TEST_F(SupervisorProgramTest, TheCommandLineShowsAndAsks) {
     words.insert(words.begin(), kPrograms + "coppice-processes");
     words.insert(words.end(), {"--master", "http://127.0.0.1:" + std::to_string(port_)});
     const std::string name = "call" + std::to_string(++calls);
-    int status = 0;
-    waitpid(graph_.Start(name, words), &status, 0);
+    const int status = ExitStatusOf(graph_.Start(name, words));
     output = Read(name + ".log");
-    return WEXITSTATUS(status);
+    return status;
   };
   EXPECT_TRUE(Eventually([&] { return processes({}) == 0; })) << output;
   EXPECT_THAT(output, HasSubstr("configuration operating\nPROCESS "));
@@ -455,6 +453,40 @@ TEST_F(SupervisorProgramTest, TheCommandLineShowsAndAsks) {
   graph_.Kill(supervisor_, SIGTERM);
   EXPECT_EQ(processes({}), 3);
   EXPECT_THAT(output, HasSubstr("no process supervisor answers at http://127.0.0.1:"));
+}
+
+TEST_F(SupervisorProgramTest, TheCommandLineWaitsNeitherForAMasterThatHangsNorForOneThatEnds) {
+  // Answers one request, then none: as if it had ended.
+  XmlRpc::XmlRpcServer master;
+  struct Pid : XmlRpc::XmlRpcServerMethod {
+    explicit Pid(XmlRpc::XmlRpcServer* server) : XmlRpcServerMethod("getPid", server) {}
+    void execute(XmlRpc::XmlRpcValue& /*request*/, XmlRpc::XmlRpcValue& answer) override {
+      answer[0] = 1;
+      answer[1] = "";
+      answer[2] = 1;
+      is_asked = true;
+    }
+    bool is_asked = false;
+  } pid(&master);
+  ASSERT_TRUE(master.bindAndListen(0));
+  const auto ask = [&](const std::string& name) {
+    return graph_.Start(name,
+                        {kPrograms + "coppice-processes", "release", "--timeout", "0.5", "--master",
+                         "http://127.0.0.1:" + std::to_string(master.get_port())});
+  };
+  // Who only listens is a master that hangs.
+  EXPECT_EQ(ExitStatusOf(ask("hangs")), 3) << Read("hangs.log");
+  while (!pid.is_asked) master.work(0.1);  // the request that nobody waits for
+  pid.is_asked = false;
+  const int asker = ask("ends");
+  ASSERT_TRUE(Eventually([&] {
+    master.work(0.01);
+    return pid.is_asked;
+  }));
+  master.work(0.01);  // the answer leaves
+  master.shutdown();
+  EXPECT_EQ(ExitStatusOf(asker), 3) << Read("ends.log");
+  EXPECT_THAT(Read("ends.log"), HasSubstr("no process supervisor answers at"));
 }
 
 TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
