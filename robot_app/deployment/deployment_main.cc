@@ -111,6 +111,7 @@ int Report(const Options& options) {
   if (diagnostics.has_errors()) return Fail(diagnostics.ToString());
   const std::vector<Group> groups = GroupsOf(*std::move(journals));
   const std::string folder = options.Get("--out", options.files[0]);
+  std::filesystem::create_directories(folder);
   Write(folder + "/report.md", MarkdownReport(groups));
   Write(folder + "/report.html", HtmlReport(groups, scenario));
   return 0;
