@@ -1,8 +1,7 @@
 #include "robot_app/training/leg_training.h"
 
 #include <chrono>
-#include <optional>
-#include <utility>
+#include <vector>
 
 namespace coppice::robot::training {
 namespace {
@@ -11,9 +10,7 @@ using perception::LegCandidate;
 using perception::LegClassifier;
 using perception::SegmentedScan;
 
-constexpr double kMostly = 0.75;     // so many of a segment's points are the person's: it is one's
-constexpr float kSuspicious = 0.1F;  // later rounds learn from what looks like legs
-constexpr int kEverydayShare = 8;    // and from each eighth of what is clear
+constexpr double kMostly = 0.75;  // so many of a segment's points are the person's: it is one's
 
 // Whose most of the segment's points are, or kNobody.
 int OwnerOf(const SegmentedScan& scan, std::uint32_t index, const LabelledSweep& sweep) {
@@ -34,45 +31,25 @@ bool IsPerson(const SegmentedScan& scan, const LegCandidate& candidate,
          (!candidate.second || OwnerOf(scan, *candidate.second, sweep) == owner);
 }
 
-// What the classifier is not sure about, or wrong.
-bool IsInstructive(const LegClassifier& classifier, const LegClassifier::Example& example) {
-  const float probability = classifier.Probability(example.features);
-  return example.is_person ? probability < 1 - kSuspicious : probability > kSuspicious;
-}
-
-void AddExamples(const LabelledSweep& sweep, const LegClassifier* classifier,
-                 std::vector<LegClassifier::Example>& examples, std::mt19937_64& random) {
+std::vector<LegClassifier::Example> ExamplesIn(const LabelledSweep& sweep) {
   SegmentedScan scan;
   SegmentByJumps(sweep.scan, perception::LegFinderOptions{}.farthest, scan);
+  std::vector<LegClassifier::Example> examples;
   for (const LegCandidate& candidate : LegCandidatesIn(scan)) {
-    const LegClassifier::Example example{Describe(scan, candidate),
-                                         IsPerson(scan, candidate, sweep)};
-    const bool is_everyday =
-        classifier == nullptr ? !example.is_person : !IsInstructive(*classifier, example);
-    if (!is_everyday || random() % kEverydayShare == 0) examples.push_back(example);
+    examples.push_back({Describe(scan, candidate), IsPerson(scan, candidate, sweep)});
   }
+  return examples;
 }
 
 }  // namespace
 
-Expected<LegClassifier> TrainLegs(const LegTrainingOptions& options,
-                                  const std::function<void(double)>& say) {
-  std::mt19937_64 random(options.seed);
+Expected<LegClassifier> TrainLegs(const LegTrainingOptions& options, const Progress& say) {
   SweepOptions sweeping;
   sweeping.most_four_legged = options.most_four_legged;
-  std::vector<LegClassifier::Example> examples;
-  std::optional<LegClassifier> classifier;
-  for (int round = 0; round < options.rounds; ++round) {
-    for (int i = 0; i < options.scans; ++i) {
-      const LabelledSweep sweep = MakeLabelledSweep(MakeRandomHall(random), sweeping, random);
-      AddExamples(sweep, classifier ? &*classifier : nullptr, examples, random);
-      say((round + static_cast<double>(i) / options.scans) / options.rounds);
-    }
-    auto learnt = LegClassifier::Train(examples, options.trees);
-    if (!learnt) return Problem{learnt.problem()};
-    classifier.emplace(std::move(*learnt));
-  }
-  return std::move(*classifier);
+  const auto examples_in = [&](std::mt19937_64& random) {
+    return ExamplesIn(MakeLabelledSweep(MakeRandomHall(random), sweeping, random));
+  };
+  return LearnInRounds<perception::LegKind>(options.learning, examples_in, say);
 }
 
 PeopleFigures MeasureLegs(perception::LegFinder& finder, const Site& site, int scans,

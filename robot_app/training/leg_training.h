@@ -3,25 +3,21 @@
 #ifndef COPPICE_ROBOT_APP_TRAINING_LEG_TRAINING_H_
 #define COPPICE_ROBOT_APP_TRAINING_LEG_TRAINING_H_
 
-#include <functional>
-
 #include "robot_app/perception/legs/leg_finder.h"
 #include "robot_app/training/labelled_sweep.h"
+#include "robot_app/training/learning_rounds.h"
 #include "robot_app/training/people_figures.h"
 
 namespace coppice::robot::training {
 
 struct LegTrainingOptions {
-  std::uint64_t seed = 1;
-  int scans = 700;  ///< of a round, each in a hall of its own
-  int rounds = 3;   ///< each after the first learns also from what the one before took for legs
+  LearningRounds learning{1, 700, 3, {60, 4}};
   int most_four_legged = 8;  ///< chairs and tables around the robot
-  perception::LegClassifier::Training trees{60, 4};
 };
 
-/// `say` is told how far it is, 0..1. The same options give the same classifier.
+/// The same options give the same classifier.
 Expected<perception::LegClassifier> TrainLegs(const LegTrainingOptions& options,
-                                              const std::function<void(double)>& say);
+                                              const Progress& say);
 
 /// Looks for people in `scans` scans of a site with up to `most_four_legged` chairs and tables
 /// around the robot.

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
-#include <utility>
+#include <vector>
 
 namespace coppice::robot::training {
 namespace {
@@ -19,9 +18,7 @@ constexpr double kMostlyPerson = 0.75;  // so much of a cluster: it is one
 constexpr double kLeastCover = 0.5;     // so much of the person's points: a whole one
 constexpr double kHardlyPerson = 0.4;   // less of a cluster: it is none
 constexpr double kHardlyCover = 0.3;    // less of the person's points: an arm, a leg
-constexpr double kTwoPeople = 0.2;   // more of a cluster is somebody else's: it is not one person
-constexpr float kSuspicious = 0.1F;  // later rounds learn from what looks like a person
-constexpr int kEverydayShare = 8;    // and from each eighth of what is none
+constexpr double kTwoPeople = 0.2;  // more of a cluster is somebody else's: it is not one person
 
 // The points of each person, and whose each cell is.
 struct Owners {
@@ -65,48 +62,29 @@ Label LabelOf(Clusters::Cells cells, const Owners& owners) {
   return share >= kMostlyPerson && cover >= kLeastCover ? Label::kPerson : Label::kUnclear;
 }
 
-// What the classifier is not sure about, or wrong.
-bool IsInstructive(const PersonClassifier& classifier, const PersonClassifier::Example& example) {
-  const float probability = classifier.Probability(example.features);
-  return example.is_person ? probability < 1 - kSuspicious : probability > kSuspicious;
-}
-
-void AddExamples(const CandidateFinder& finder, const LabelledScan& scan,
-                 const PersonClassifier* classifier,
-                 std::vector<PersonClassifier::Example>& examples, std::mt19937_64& random) {
+std::vector<PersonClassifier::Example> ExamplesIn(const CandidateFinder& finder,
+                                                  const LabelledScan& scan) {
   const Owners owners = FindOwners(finder.image(), finder.surfaces(), scan);
+  std::vector<PersonClassifier::Example> examples;
   for (std::size_t i = 0; i < finder.candidates().size(); ++i) {
     const Clusters::Cells cells = finder.candidates()[i];
     const Label label = LabelOf(cells, owners);
     if (label == Label::kUnclear) continue;
-    const PersonClassifier::Example example{Describe(finder.image(), cells),
-                                            label == Label::kPerson};
-    const bool is_everyday =
-        classifier == nullptr ? !example.is_person : !IsInstructive(*classifier, example);
-    if (!is_everyday || random() % kEverydayShare == 0) examples.push_back(example);
+    examples.push_back({Describe(finder.image(), cells), label == Label::kPerson});
   }
+  return examples;
 }
 
 }  // namespace
 
-Expected<PersonClassifier> TrainPeople(const PeopleTrainingOptions& options,
-                                       const std::function<void(double)>& say) {
-  std::mt19937_64 random(options.seed);
+Expected<PersonClassifier> TrainPeople(const LearningRounds& learning, const Progress& say) {
   CandidateFinder finder({});
-  std::vector<PersonClassifier::Example> examples;
-  std::optional<PersonClassifier> classifier;
-  for (int round = 0; round < options.rounds; ++round) {
-    for (int i = 0; i < options.scans; ++i) {
-      const LabelledScan scan = MakeLabelledScan(MakeRandomHall(random), {}, random);
-      finder.Find(scan.points);
-      AddExamples(finder, scan, classifier ? &*classifier : nullptr, examples, random);
-      say((round + static_cast<double>(i) / options.scans) / options.rounds);
-    }
-    auto learnt = PersonClassifier::Train(examples, options.trees);
-    if (!learnt) return Problem{learnt.problem()};
-    classifier.emplace(std::move(*learnt));
-  }
-  return std::move(*classifier);
+  const auto examples_in = [&](std::mt19937_64& random) {
+    const LabelledScan scan = MakeLabelledScan(MakeRandomHall(random), {}, random);
+    finder.Find(scan.points);
+    return ExamplesIn(finder, scan);
+  };
+  return LearnInRounds<perception::PersonKind>(learning, examples_in, say);
 }
 
 PeopleFigures MeasurePeople(perception::PeopleFinder& finder, const Site& site, int scans,

@@ -3,23 +3,15 @@
 #ifndef COPPICE_ROBOT_APP_TRAINING_PEOPLE_TRAINING_H_
 #define COPPICE_ROBOT_APP_TRAINING_PEOPLE_TRAINING_H_
 
-#include <functional>
-
 #include "robot_app/perception/clouds/people_finder.h"
+#include "robot_app/training/learning_rounds.h"
 #include "robot_app/training/people_figures.h"
 
 namespace coppice::robot::training {
 
-struct PeopleTrainingOptions {
-  std::uint64_t seed = 1;
-  int scans = 700;  ///< of a round, each in a hall of its own
-  int rounds = 3;   ///< each after the first learns also from what the one before took for people
-  perception::PersonClassifier::Training trees;
-};
-
-/// `say` is told how far it is, 0..1. The same options give the same classifier.
-Expected<perception::PersonClassifier> TrainPeople(const PeopleTrainingOptions& options,
-                                                   const std::function<void(double)>& say);
+/// The same options give the same classifier.
+Expected<perception::PersonClassifier> TrainPeople(const LearningRounds& learning,
+                                                   const Progress& say);
 
 /// Looks for people in `scans` scans of a site. Who is hidden by more than 70 % counts neither as
 /// missed nor as false.

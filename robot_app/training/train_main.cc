@@ -128,16 +128,23 @@ int MeasurePeopleIn(const Options& options) {
   return MeasureFollowing(finder, options, scenario);
 }
 
-int TrainPeopleTo(const Options& options) {
-  PeopleTrainingOptions training;
-  training.seed = SeedOf(options);
-  training.scans = static_cast<int>(options.Whole("--scans", training.scans));
-  training.rounds = static_cast<int>(options.Whole("--rounds", training.rounds));
-  const auto classifier = TrainPeople(training, Say);
+template <class Learnt>
+int SaveTo(const Options& options, const Learnt& learnt) {
   std::fputs("\n", stderr);
-  if (!classifier) return Fail(classifier.problem());
-  const Outcome saved = classifier->Save(options.files[1]);
+  if (!learnt) return Fail(learnt.problem());
+  const Outcome saved = learnt->Save(options.files[1]);
   return saved ? 0 : Fail(saved.problem());
+}
+
+LearningRounds RoundsOf(const Options& options, LearningRounds learning) {
+  learning.seed = SeedOf(options);
+  learning.scans = static_cast<int>(options.Whole("--scans", learning.scans));
+  learning.rounds = static_cast<int>(options.Whole("--rounds", learning.rounds));
+  return learning;
+}
+
+int TrainPeopleTo(const Options& options) {
+  return SaveTo(options, TrainPeople(RoundsOf(options, {}), Say));
 }
 
 int MeasureLegsIn(const Options& options) {
@@ -159,14 +166,8 @@ int MeasureLegsIn(const Options& options) {
 
 int TrainLegsTo(const Options& options) {
   LegTrainingOptions training;
-  training.seed = SeedOf(options);
-  training.scans = static_cast<int>(options.Whole("--scans", training.scans));
-  training.rounds = static_cast<int>(options.Whole("--rounds", training.rounds));
-  const auto classifier = TrainLegs(training, Say);
-  std::fputs("\n", stderr);
-  if (!classifier) return Fail(classifier.problem());
-  const Outcome saved = classifier->Save(options.files[1]);
-  return saved ? 0 : Fail(saved.problem());
+  training.learning = RoundsOf(options, training.learning);
+  return SaveTo(options, TrainLegs(training, Say));
 }
 
 int MeasureMasksIn(const Options& options) {
@@ -196,22 +197,14 @@ int TrainVocabularyTo(const Options& options) {
   VocabularyTrainingOptions training;
   training.seed = SeedOf(options);
   training.pictures = static_cast<int>(options.Whole("--pictures", training.pictures));
-  const auto vocabulary = TrainVocabulary(training, Say);
-  std::fputs("\n", stderr);
-  if (!vocabulary) return Fail(vocabulary.problem());
-  const Outcome saved = vocabulary->Save(options.files[1]);
-  return saved ? 0 : Fail(saved.problem());
+  return SaveTo(options, TrainVocabulary(training, Say));
 }
 
 int TrainPlacesTo(const Options& options) {
   PlaceTrainingOptions training;
   training.seed = SeedOf(options);
   training.halls = static_cast<int>(options.Whole("--scans", training.halls));
-  const auto classifier = TrainPlaces(training, Say);
-  std::fputs("\n", stderr);
-  if (!classifier) return Fail(classifier.problem());
-  const Outcome saved = classifier->Save(options.files[1]);
-  return saved ? 0 : Fail(saved.problem());
+  return SaveTo(options, TrainPlaces(training, Say));
 }
 
 // Clouds are as good in the dark as by day; they are measured with all places asked for, and with

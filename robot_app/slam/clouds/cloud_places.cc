@@ -6,9 +6,6 @@
 namespace coppice::robot::slam {
 namespace {
 
-constexpr BoostedTrees::Subject kSubject{"place_classifier", static_cast<int>(kPairFeatures),
-                                         "places"};
-
 // A first impression: how much the scalars differ, each in shares of itself.
 float Unlike(const CloudDescriptor& a, const CloudDescriptor& b) {
   float sum = 0;
@@ -26,23 +23,6 @@ Pose3 Turned(double yaw) {
 }
 
 }  // namespace
-
-Expected<PlaceClassifier> PlaceClassifier::Train(const std::vector<Example>& examples) {
-  std::vector<BoostedTrees::Example> rows;
-  rows.reserve(examples.size());
-  for (const Example& example : examples) {
-    rows.push_back({{example.features.begin(), example.features.end()}, example.is_same});
-  }
-  auto trees = BoostedTrees::Train(kSubject, rows, {});
-  if (!trees) return Problem{trees.problem()};
-  return PlaceClassifier(*std::move(trees));
-}
-
-Expected<PlaceClassifier> PlaceClassifier::Load(const std::string& file) {
-  auto trees = BoostedTrees::Load(file, kSubject);
-  if (!trees) return Problem{trees.problem()};
-  return PlaceClassifier(*std::move(trees));
-}
 
 KnownCloud Keep(const CloudPoints& points, double range) {
   return {Describe(points), ThinOut(points, 0.2, range)};
@@ -75,7 +55,8 @@ std::vector<CloudPlaces::Candidate> CloudPlaces::Candidates(
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < compared; ++i) {
     const std::size_t known = near[i].second;
-    const float probability = classifier_.Probability(clouds_[known].descriptor, cloud.descriptor);
+    const float probability =
+        classifier_.Probability(Compare(clouds_[known].descriptor, cloud.descriptor));
     if (probability >= settings_.least_probability) candidates.push_back({known, probability});
   }
   std::stable_sort(

@@ -11,35 +11,24 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "robot_app/common/learning/boosted_trees.h"
+#include "robot_app/common/learning/classifier.h"
 #include "robot_app/slam/clouds/cloud_descriptor.h"
 #include "robot_app/slam/clouds/registration.h"
 
 namespace coppice::robot::slam {
 
-/// How likely it is that two clouds were measured at one place; learnt by `coppice-train places`.
-class PlaceClassifier {
- public:
-  struct Example {
-    PairFeatures features;
-    bool is_same = false;
-  };
-  static Expected<PlaceClassifier> Train(const std::vector<Example>& examples);
-  static Expected<PlaceClassifier> Load(const std::string& file);
-  Outcome Save(const std::string& file) const { return trees_.Save(file); }
-
-  float Probability(const CloudDescriptor& a, const CloudDescriptor& b) const {
-    return trees_.Probability(Compare(a, b).data());
-  }
-
- private:
-  explicit PlaceClassifier(BoostedTrees trees) : trees_(std::move(trees)) {}
-  BoostedTrees trees_;
+struct PlaceKind {
+  using Features = PairFeatures;
+  static constexpr BoostedTrees::Subject kSubject{"place_classifier",
+                                                  static_cast<int>(kPairFeatures), "places"};
 };
+
+/// One of the kind: two clouds that were measured at one place, by what Compare() says of them;
+/// learnt by `coppice-train places`.
+using PlaceClassifier = Classifier<PlaceKind>;
 
 /// A turn as it is kept.
 struct KnownCloud {

@@ -18,8 +18,8 @@ std::string TextOf(const LegClassifier& classifier) {
 
 TEST(LegTraining, TheSameOptionsLearnTheSameToTheLastBit) {
   LegTrainingOptions options;
-  options.scans = 20;
-  options.trees = {10, 2};
+  options.learning.scans = 20;
+  options.learning.trees = {10, 2};
   const auto first = TrainLegs(options, [](double) {});
   const auto second = TrainLegs(options, [](double) {});
   ASSERT_TRUE(first) << first.problem();

@@ -42,7 +42,7 @@ int MissedNear(const PeopleFigures& figures) {
 }
 
 TEST(PeopleTraining, TheSameOptionsLearnTheSameToTheLastBit) {
-  PeopleTrainingOptions options;
+  LearningRounds options;
   options.scans = 12;
   options.trees = {10, 2};
   const auto first = TrainPeople(options, [](double) {});
