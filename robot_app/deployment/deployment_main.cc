@@ -1,4 +1,5 @@
 // coppice-deployment: the robot's sixteen days in minutes, and their report.
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
