@@ -1,6 +1,7 @@
-// How the robot looks: what its face, lights, ears and arms show together. Implemented on ROS topics
-// in robot_app/ros, and on test doubles. What each expression looks like is said by the table of
-// robot_app/expression; trees only name it, and a wrong name is refused when they are loaded.
+// How the robot looks: what its face, lights, ears and arms show together. Implemented on ROS
+// topics in robot_app/ros, and on test doubles. What each expression looks like is said by the
+// table of robot_app/expression; trees only name it, and a wrong name is refused when they are
+// loaded.
 #ifndef COPPICE_BT_NODES_INTERACTION_EXPRESSION_H_
 #define COPPICE_BT_NODES_INTERACTION_EXPRESSION_H_
 

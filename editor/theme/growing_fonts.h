@@ -4,7 +4,7 @@
 //   GrowingFonts fonts(nullptr, 1);
 //   if (*fonts.Fit(scale, now)) fonts->UseInContext();   // before a frame
 //   ... the frame ...
-//   if (fonts.AreLacking(now)) ...                       // draw the frame again, nobody sees this one
+//   if (fonts.AreLacking(now)) ...                       // draw again, nobody sees this frame
 #ifndef COPPICE_EDITOR_THEME_GROWING_FONTS_H_
 #define COPPICE_EDITOR_THEME_GROWING_FONTS_H_
 

@@ -16,7 +16,8 @@ namespace coppice::robot {
 
 class RobotFigures {
  public:
-  /// Without a page nothing is heard. A robot runs also when its page cannot be served: see trouble.
+  /// Without a page nothing is heard. A robot runs also when its page cannot be served: see
+  /// trouble.
   RobotFigures(ros::NodeHandle& node, const std::optional<metrics::MetricsPageOptions>& page);
 
   /// To be added to the event streams of the trees; null without a page.

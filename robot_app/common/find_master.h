@@ -10,7 +10,7 @@ namespace coppice::robot {
 /// True if the master at ROS_MASTER_URI answers within 2 s. Silences the library of XML-RPC.
 bool HasMaster();
 
-/// The same; if there is none, "PROGRAM: no ROS master at URI (ROS_MASTER_URI)" is printed as an error.
+/// The same, and if there is none it says "PROGRAM: no ROS master at URI (ROS_MASTER_URI)".
 bool FindMaster(const std::string& program);
 
 }  // namespace coppice::robot

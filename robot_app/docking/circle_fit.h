@@ -12,7 +12,8 @@ namespace coppice::robot::docking {
 /// How far the echoes deviate along their beams from the best circle, bulging towards the scanner,
 /// root of the mean square [m]; very large if there is none. `echoes` in the scanner's frame.
 /// Least squares by Levenberg and Marquardt, from the algebraic fit of Kasa (A Circle Fitting
-/// Procedure and Its Error Analysis, IEEE Transactions on Instrumentation and Measurement 25 (1976)).
+/// Procedure and Its Error Analysis, IEEE Transactions on Instrumentation and Measurement 25
+/// (1976)).
 double DeviationFromCircle(const std::vector<Point2D>& echoes);
 
 }  // namespace coppice::robot::docking

@@ -8,7 +8,8 @@ namespace coppice::robot::docking {
 namespace {
 
 constexpr double kFull = 2 * M_PI;
-// An arc that is that short, or that near to a full circle, is none; nor is such a straight stretch.
+// An arc that is that short, or that near to a full circle, is none; nor is such a straight
+// stretch.
 constexpr double kNone = 1e-6;
 
 double Turned(double angle) {

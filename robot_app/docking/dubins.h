@@ -1,9 +1,9 @@
 // The shortest ways of a vehicle that drives forwards and turns no tighter than in a circle (L. E.
 // Dubins: On Curves of Minimal Length with a Constraint on Average Curvature, and with Prescribed
 // Initial and Terminal Positions and Tangents, American Journal of Mathematics 79 (1957)). Each
-// consists of three parts, arcs to the left (L) or right (R) and straight stretches (S): one of LSL,
-// RSR, LSR, RSL, RLR, LRL. With the formulas of A. M. Shkel and V. Lumelsky (Classification of the
-// Dubins set, Robotics and Autonomous Systems 34 (2001)). Pure functions.
+// consists of three parts, arcs to the left (L) or right (R) and straight stretches (S): one of
+// LSL, RSR, LSR, RSL, RLR, LRL. With the formulas of A. M. Shkel and V. Lumelsky (Classification of
+// the Dubins set, Robotics and Autonomous Systems 34 (2001)). Pure functions.
 #ifndef COPPICE_ROBOT_APP_DOCKING_DUBINS_H_
 #define COPPICE_ROBOT_APP_DOCKING_DUBINS_H_
 

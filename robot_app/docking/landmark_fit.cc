@@ -191,7 +191,8 @@ Matrix3d Information(const Evidence& evidence, Vector3d& slope) {
   return information;
 }
 
-// The room begins where the legs should end; one end may be hidden if the landmark is known already.
+// The room begins where the legs should end; one end may be hidden if the landmark is known
+// already.
 bool EndsAreFree(const Evidence& evidence, bool is_known) {
   int free = 0;
   for (const End& end : evidence.ends) {

@@ -8,8 +8,8 @@
 
 namespace coppice::robot::docking {
 
-/// Gauss-Newton from `start` (pose of the corner), then the tests of landmark.h, which are milder if
-/// it is known that a landmark is there. The pose of the result is in the scanner's frame.
+/// Gauss-Newton from `start` (pose of the corner), then the tests of landmark.h, which are milder
+/// if it is known that a landmark is there. The pose of the result is in the scanner's frame.
 std::optional<LandmarkSighting> FitInScan(const LaserScan& scan, const LandmarkSettings& settings,
                                           const Pose2D& start, bool is_known);
 

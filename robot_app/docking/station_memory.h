@@ -1,6 +1,6 @@
-// Where the station stands on the map: where it was seen when the robot docked last, kept in a file,
-// or else where the map of places says. Whoever has moved the station by more than a step says so
-// there, and is believed. Not for several threads.
+// Where the station stands on the map: where it was seen when the robot docked last, kept in a
+// file, or else where the map of places says. Whoever has moved the station by more than a step
+// says so there, and is believed. Not for several threads.
 #ifndef COPPICE_ROBOT_APP_DOCKING_STATION_MEMORY_H_
 #define COPPICE_ROBOT_APP_DOCKING_STATION_MEMORY_H_
 
@@ -14,9 +14,9 @@ namespace coppice::robot::docking {
 
 class StationMemory {
  public:
-  /// `prior`: base_link when docked, in the map frame, as in the map of places. `file`: one line "x y
-  /// yaw"; "none": what is learnt is forgotten with the program. One that is missing or broken, or
-  /// lies farther than 1.5 m from the prior, does not count.
+  /// `prior`: base_link when docked, in the map frame, as in the map of places. `file`: one line "x
+  /// y yaw"; "none": what is learnt is forgotten with the program. One that is missing or broken,
+  /// or lies farther than 1.5 m from the prior, does not count.
   StationMemory(const std::optional<Pose2D>& prior, std::string file);
 
   /// base_link when docked, in the map frame.

@@ -36,13 +36,13 @@ class StationTracker {
     scans_ = 0;
   }
 
-  /// `base`: base_link in the odometry frame at the time of the scan. `expected`: where base_link is
-  /// thought to be when docked, in the same frame, from a map; then a landmark that is elsewhere is
-  /// not this station's.
+  /// `base`: base_link in the odometry frame at the time of the scan. `expected`: where base_link
+  /// is thought to be when docked, in the same frame, from a map; then a landmark that is elsewhere
+  /// is not this station's.
   void AddScan(const LaserScan& scan, const Pose2D& base, const std::optional<Pose2D>& expected);
 
-  /// Nothing before the landmark was seen in some scans, and when it has not been where it should be
-  /// for a while.
+  /// Nothing before the landmark was seen in some scans, and when it has not been where it should
+  /// be for a while.
   const std::optional<StationSighting>& seen() const { return seen_; }
 
  private:

@@ -26,11 +26,11 @@ struct MonitorStart {
   std::string folder;  ///< --folder: relative paths in the configuration begin here
 };
 
-/// Reads `--config FILE [--bands FILE] [--host NAME] [--folder FOLDER]` and starts a ROS node of this name (ROS
-/// remappings work). `--help` prints these and ends the program. On a problem prints one line and
-/// returns nothing; the program is to end with status 2. SIGTERM and SIGINT end the spinning. A
-/// monitor says what it found on its topics and nothing on /rosout, whose thread would wake it ten
-/// times per second.
+/// Reads `--config FILE [--bands FILE] [--host NAME] [--folder FOLDER]` and starts a ROS node of
+/// this name (ROS remappings work). `--help` prints these and ends the program. On a problem prints
+/// one line and returns nothing; the program is to end with status 2. SIGTERM and SIGINT end the
+/// spinning. A monitor says what it found on its topics and nothing on /rosout, whose thread would
+/// wake it ten times per second.
 std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::string& name);
 
 /// As ros::spin, but sleeps as long as nothing comes; ros::spin looks ten times per second.

@@ -1,5 +1,5 @@
-// What is judged otherwise at each site: the file bands.yaml in its folder. What it does not name is
-// judged as monitors.yaml says.
+// What is judged otherwise at each site: the file bands.yaml in its folder. What it does not name
+// is judged as monitors.yaml says.
 //
 //   navigation: {blocked: 120, no_path: 60, after_failure: 15}    # s
 //   localization: {since_confirmed: {warn: [none, 30]}, score: {warn: [0.15, none]},

@@ -1,5 +1,5 @@
-// Answers in a CSV file (RFC 4180, with a header): a column for each item, a row for each person, an
-// empty field where no mark was made. Nothing tells who it was, nor when.
+// Answers in a CSV file (RFC 4180, with a header): a column for each item, a row for each person,
+// an empty field where no mark was made. Nothing tells who it was, nor when.
 #ifndef COPPICE_ROBOT_APP_QUESTIONNAIRE_ANSWERS_FILE_H_
 #define COPPICE_ROBOT_APP_QUESTIONNAIRE_ANSWERS_FILE_H_
 

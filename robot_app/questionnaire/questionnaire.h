@@ -1,5 +1,5 @@
-// A questionnaire of semantic differentials: scales of pairs of opposite words, between which people
-// make a mark. Data of a file; the shipped one is godspeed.yaml.
+// A questionnaire of semantic differentials: scales of pairs of opposite words, between which
+// people make a mark. Data of a file; the shipped one is godspeed.yaml.
 #ifndef COPPICE_ROBOT_APP_QUESTIONNAIRE_QUESTIONNAIRE_H_
 #define COPPICE_ROBOT_APP_QUESTIONNAIRE_QUESTIONNAIRE_H_
 

@@ -29,9 +29,9 @@ struct GridMap {
 };
 
 /// The edges of what is too low for a laser, such as kerbs, are unknown: nobody drives there, and
-/// no beam is expected to end there. Walls, furniture, the station's landmark and door leaves as they stand at the start are
-/// occupied; what can be walked to from the charging station (through any door) is free; the rest
-/// is unknown.
+/// no beam is expected to end there. Walls, furniture, the station's landmark and door leaves as
+/// they stand at the start are occupied; what can be walked to from the charging station (through
+/// any door) is free; the rest is unknown.
 GridMap MakeGridMap(const Floor& floor, double resolution = 0.05);
 
 }  // namespace coppice::robot::simulation

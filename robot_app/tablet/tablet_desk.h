@@ -1,5 +1,5 @@
-// What the tablet's page asks, answered: buttons and answers of the knowledge, the way from here to a
-// place, and what the visitor wants of the robot. Takes any text; knows no sockets and no ROS.
+// What the tablet's page asks, answered: buttons and answers of the knowledge, the way from here to
+// a place, and what the visitor wants of the robot. Takes any text; knows no sockets and no ROS.
 //
 // A call is a JSON object with "do" and "language" ("en", "de"); the reply is one, too:
 //

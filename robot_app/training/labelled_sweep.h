@@ -15,8 +15,8 @@ struct LabelledSweep {
   static constexpr int kNobody = -1;
 
   LaserScan scan;
-  /// In the scanner's axes; `visible` is the share of the beams that meet the person's legs of those
-  /// that would with nothing else around.
+  /// In the scanner's axes; `visible` is the share of the beams that meet the person's legs of
+  /// those that would with nothing else around.
   std::vector<PersonTruth> people;
   std::vector<int> owner;  ///< of each beam: whom it met, or kNobody
 };

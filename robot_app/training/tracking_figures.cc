@@ -140,8 +140,8 @@ class Experiment {
           [&](Vec2 at) { return IsInScan(laser_.options(), robot_, at) || IsInPicture(at); });
   }
 
-  // While something else gives the beat, it has gone on when a picture is told; else what is told is
-  // of the time of the picture.
+  // While something else gives the beat, it has gone on when a picture is told; else what is told
+  // is of the time of the picture.
   void LookAtPictures(double time) {
     std::vector<simulation::SeenPerson> people;
     for (std::size_t i = 0; i < looks_.size(); ++i) {

@@ -63,6 +63,12 @@ class FloorsTest(unittest.TestCase):
     def room(self, path):
         return rooms.room_of(folder(path), self.floors)
 
+    def test_no_comment_is_wider_than_the_code(self):
+        wide = [f"{f}:{number}" for f in self.files
+                for number, line in enumerate((rooms.ROOT / f).read_text().split("\n"), 1)
+                if len(line) > 100 and line.lstrip().startswith("//")]
+        self.assertEqual(wide, [])
+
     def test_every_source_lies_in_a_room(self):
         homeless = sorted({folder(f) for f in self.shipped if self.room(f) is None})
         self.assertEqual(homeless, [], "give these folders a line in tests/architecture/rooms.py")

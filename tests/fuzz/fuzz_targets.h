@@ -84,8 +84,8 @@ int FuzzScenario(std::string_view bytes);
 /// may throw nothing but ScriptError. Returns how far it came: 0 refused, 1 failed when run, 2 ran.
 int FuzzScript(std::string_view bytes);
 
-/// The bytes as a WAV file, of a visitor's or of a service. Returns 0 if it is refused, 1 if there is
-/// nothing in it, 2.
+/// The bytes as a WAV file, of a visitor's or of a service. Returns 0 if it is refused, 1 if there
+/// is nothing in it, 2.
 int FuzzWav(std::string_view bytes);
 
 /// The bytes as what somebody sends to the port for browsers; behind a 'W' over a WebSocket that is

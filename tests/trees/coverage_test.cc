@@ -1,6 +1,6 @@
-// The shipped trees run by chance, as their files of scenarios say: every node of a file is reached,
-// and returns SUCCESS and FAILURE wherever it can at all. What a file includes has a file of its own,
-// where it is looked at with all that it may be given.
+// The shipped trees run by chance, as their files of scenarios say: every node of a file is
+// reached, and returns SUCCESS and FAILURE wherever it can at all. What a file includes has a file
+// of its own, where it is looked at with all that it may be given.
 #include <gtest/gtest.h>
 
 #include <filesystem>

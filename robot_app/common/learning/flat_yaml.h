@@ -1,5 +1,5 @@
-// What may be given to cv::FileStorage: its parsers call themselves for every level of a text, without
-// a limit.
+// What may be given to cv::FileStorage: its parsers call themselves for every level of a text,
+// without a limit.
 #ifndef COPPICE_ROBOT_APP_COMMON_LEARNING_FLAT_YAML_H_
 #define COPPICE_ROBOT_APP_COMMON_LEARNING_FLAT_YAML_H_
 

@@ -1,8 +1,9 @@
 // A page over HTTP for people who need not say who they are: its files, and calls of its scripts by
-// POST /call, text to text. Nothing else is served: no WebSocket, no log-in, no other program. Only the
-// page's own origin may call, and only so often.
+// POST /call, text to text. Nothing else is served: no WebSocket, no log-in, no other program. Only
+// the page's own origin may call, and only so often.
 //
-//   CallServer server({"127.0.0.1", 8091, folder}, [&](const std::string& call) { return Reply(call); });
+//   CallServer server({"127.0.0.1", 8091, folder},
+//                     [&](const std::string& call) { return Reply(call); });
 #ifndef COPPICE_ROBOT_APP_COMMON_WEB_CALL_SERVER_H_
 #define COPPICE_ROBOT_APP_COMMON_WEB_CALL_SERVER_H_
 

@@ -32,8 +32,8 @@ class OpeningHours {
   /// Empty: closed.
   std::vector<OpenSpan> On(Day day, bool is_holiday) const;
 
-  /// Until it closes [s]; 0: it is closed. What opens when the other closes goes on; a week at most.
-  /// No day counts as a holiday.
+  /// Until it closes [s]; 0: it is closed. What opens when the other closes goes on; a week at
+  /// most. No day counts as a holiday.
   std::chrono::seconds OpenFor(const LocalTime& now) const;
 
  private:

@@ -9,9 +9,9 @@
 namespace coppice::robot::perception {
 
 /// The share of the rows that do not fit the next one, 0 to 1: they differ all along, far more than
-/// rows of this picture do otherwise, and only one of the two has depth. The joints of a tiled floor
-/// differ as much, but all of it has depth. A damaged strip makes two. Without depth of the same
-/// size, and where nothing has depth, nothing is known: 0.
+/// rows of this picture do otherwise, and only one of the two has depth. The joints of a tiled
+/// floor differ as much, but all of it has depth. A damaged strip makes two. Without depth of the
+/// same size, and where nothing has depth, nothing is known: 0.
 double TornShare(const Picture& picture, const DepthPicture& depth);
 
 /// The mean of the last pictures, so that one unusual view says nothing.

@@ -35,8 +35,8 @@ Eigen::Vector2f AxisOf(const SegmentedScan& scan, std::uint32_t segment) {
   return middle * (1 + kHalfLeg / std::max(middle.norm(), 0.01F));
 }
 
-// Where the other leg is when one is seen, nobody knows. Legs swing: even of both the middle is seldom
-// below the body's axis.
+// Where the other leg is when one is seen, nobody knows. Legs swing: even of both the middle is
+// seldom below the body's axis.
 SeenLegs Locate(const SegmentedScan& scan, const LegCandidate& candidate) {
   SeenLegs person;
   person.legs = candidate;

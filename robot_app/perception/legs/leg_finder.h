@@ -29,8 +29,8 @@ class LegFinder {
   LegFinder(const LegFinderOptions& options, LegClassifier classifier)
       : options_(options), classifier_(std::move(classifier)) {}
 
-  /// Who is seen in this scan, surest first; nobody twice. Valid until the next call. `scan` must be
-  /// usable (laser_scan.h).
+  /// Who is seen in this scan, surest first; nobody twice. Valid until the next call. `scan` must
+  /// be usable (laser_scan.h).
   const std::vector<SeenLegs>& Find(const LaserScan& scan);
 
   const LegFinderOptions& options() const { return options_; }

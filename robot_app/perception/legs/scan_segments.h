@@ -16,8 +16,8 @@ struct ScanPoint {
 };
 
 /// The points `begin` up to `end` of the scan. A jump tells how much farther than the segment's end
-/// the next beam beside it goes [m], at most 2; negative: something nearer hides more of it; 0: that
-/// beam tells nothing.
+/// the next beam beside it goes [m], at most 2; negative: something nearer hides more of it; 0:
+/// that beam tells nothing.
 struct ScanSegment {
   std::uint32_t begin = 0, end = 0;
   float jump_before = 0, jump_after = 0;
@@ -29,9 +29,9 @@ struct SegmentedScan {
   std::vector<ScanSegment> segments;
 };
 
-/// Points no farther than `farthest` [m] from the scanner. Neighbours are of one segment if they are
-/// nearer to each other than a leg is thick; farther away, where beams are farther apart, by as much
-/// more. `scan` must be usable (laser_scan.h).
+/// Points no farther than `farthest` [m] from the scanner. Neighbours are of one segment if they
+/// are nearer to each other than a leg is thick; farther away, where beams are farther apart, by as
+/// much more. `scan` must be usable (laser_scan.h).
 void SegmentByJumps(const LaserScan& scan, double farthest, SegmentedScan& out);
 
 }  // namespace coppice::robot::perception

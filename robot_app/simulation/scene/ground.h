@@ -1,6 +1,6 @@
-// The ground out of doors: how high it is over x, straight between the points of a profile and level
-// beyond its ends. Everything stands upright on it; a robot stands as the ground under it leans, so
-// that its level beams meet the ground where that rises before it.
+// The ground out of doors: how high it is over x, straight between the points of a profile and
+// level beyond its ends. Everything stands upright on it; a robot stands as the ground under it
+// leans, so that its level beams meet the ground where that rises before it.
 //
 //   const Ground ground({{0, 0}, {15, 0.785}});     // 3 degrees uphill to the east
 //   ground.Cast({-2, 0}, {1, 0}, 0.3, 20);          // 7.7: 5.7 m behind the foot of the slope

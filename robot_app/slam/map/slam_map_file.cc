@@ -30,7 +30,8 @@ constexpr std::size_t kLongestMap = std::size_t{2} << 30;  // bytes of a file
 constexpr double kFarthest = 1000;                         // range of a key frame [m]
 constexpr std::int16_t kNone = std::numeric_limits<std::int16_t>::min();
 
-// A map of half a kilometre is larger than kLargestAllocation lets a vector be (it is for messages).
+// A map of half a kilometre is larger than kLargestAllocation lets a vector be (it is for
+// messages).
 template <typename T>
 struct AnySize {
   using value_type = T;

@@ -1,7 +1,7 @@
 // Utterances to text, on a thread of its own: by a service where there is one that answers, else by
 // pocketsphinx with a grammar of what the robot knows now. The grammar is made at the start or when
-// the first utterance comes, and anew after an import of the knowledge. Of all that pocketsphinx may
-// have heard the text with the likeliest meaning is taken.
+// the first utterance comes, and anew after an import of the knowledge. Of all that pocketsphinx
+// may have heard the text with the likeliest meaning is taken.
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 #define COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 
@@ -34,8 +34,8 @@ struct Recognition {
   double confidence = 0;  ///< 0..1: that it means what was meant
 };
 
-/// A confidence below which it is better to ask again: half of what is wrong is below it, and hardly
-/// anything that is right (./dev bench speech).
+/// A confidence below which it is better to ask again: half of what is wrong is below it, and
+/// hardly anything that is right (./dev bench speech).
 inline constexpr double kSureEnough = 0.6;
 
 struct HeardUtterance {

@@ -17,8 +17,8 @@ class Microphone {
   using OnProblem = std::function<void(const std::string& problem)>;
 
   /// `device` as arecord takes it: "default", "plughw:1,0". Both are called on the thread of the
-  /// microphone; `on_problem` when it cannot be opened or has gone, and then it is tried again every
-  /// 5 s.
+  /// microphone; `on_problem` when it cannot be opened or has gone, and then it is tried again
+  /// every 5 s.
   Microphone(std::string device, OnSamples on_samples, OnProblem on_problem);
   ~Microphone();
   Microphone(const Microphone&) = delete;

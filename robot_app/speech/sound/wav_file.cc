@@ -67,7 +67,8 @@ Outcome CheckForm(const SF_INFO& info) {
   return {};
 }
 
-// libsndfile would read many other kinds of files; nobody needs them here but who looks for mistakes.
+// libsndfile would read many other kinds of files; nobody needs them here but who looks for
+// mistakes.
 bool LooksLikeWav(const std::string& bytes) {
   return bytes.compare(0, 4, "RIFF") == 0 && bytes.size() > 12 && bytes.compare(8, 4, "WAVE") == 0;
 }

@@ -15,8 +15,8 @@ struct Exported {
   std::uint64_t not_whole = 0;  ///< of these: something that was left out has no file any more
 };
 
-/// Into a bag, at their ROS time. `files`: the folder of what was left out; may be empty. The bag is
-/// there as a whole or not at all.
+/// Into a bag, at their ROS time. `files`: the folder of what was left out; may be empty. The bag
+/// is there as a whole or not at all.
 Expected<Exported> ExportBag(const ServerConfig& server, const StoredQuery& query,
                              const std::string& files, const std::string& path);
 

@@ -1,5 +1,5 @@
-// What the store keeps in PostgreSQL: schema `coppice`, made by the first store that finds none. The
-// views are for people and for Grafana: each has a column "time" and one "robot".
+// What the store keeps in PostgreSQL: schema `coppice`, made by the first store that finds none.
+// The views are for people and for Grafana: each has a column "time" and one "robot".
 #ifndef COPPICE_ROBOT_APP_STORAGE_SERVER_POSTGRES_SCHEMA_H_
 #define COPPICE_ROBOT_APP_STORAGE_SERVER_POSTGRES_SCHEMA_H_
 

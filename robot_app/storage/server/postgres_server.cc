@@ -174,7 +174,8 @@ void PostgresServer::Session::Store(const Batch& batch) {
   known.merge(made);
 }
 
-// Whether a transaction was committed whose answer was lost, nobody needs to know: it is sent again.
+// Whether a transaction was committed whose answer was lost, nobody needs to know: it is sent
+// again.
 StoreResult PostgresServer::Store(const Batch& batch) {
   try {
     Connect();

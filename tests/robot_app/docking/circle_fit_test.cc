@@ -7,8 +7,8 @@
 namespace coppice::robot::docking {
 namespace {
 
-// What a scanner at the origin sees of a disc 2 m ahead; every second beam is `noise` too long, every
-// other too short.
+// What a scanner at the origin sees of a disc 2 m ahead; every second beam is `noise` too long,
+// every other too short.
 std::vector<Point2D> Disc(double radius, double noise) {
   std::vector<Point2D> echoes;
   const double half = 0.8 * std::asin(radius / 2);

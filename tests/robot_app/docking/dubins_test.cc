@@ -35,8 +35,8 @@ TEST(Dubins, EveryWordThatIsGivenLeadsToTheGoal) {
   EXPECT_EQ(words, (std::set<std::string>{"LSL", "RSR", "LSR", "RSL", "RLR", "LRL"}));
 }
 
-// Brute force: whatever sequence of arcs and straight stretches a vehicle drives, Dubins' way to where
-// it has come is not longer.
+// Brute force: whatever sequence of arcs and straight stretches a vehicle drives, Dubins' way to
+// where it has come is not longer.
 TEST(Dubins, NoWayThatIsDrivenIsShorter) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> length(0, 3);

@@ -19,7 +19,7 @@ std::vector<PersonClassifier::Example> Examples() {
   std::vector<PersonClassifier::Example> examples(400);
   for (auto& example : examples) {
     for (float& value : example.features) value = any(random);
-    example.is_person = example.features[2] > 0.6F;
+    example.is_one = example.features[2] > 0.6F;
   }
   return examples;
 }
@@ -58,7 +58,7 @@ TEST(PersonClassifier, SaysTheSameAfterItWasSavedAndLoaded) {
 
 TEST(PersonClassifier, ExamplesOfOneKindTeachNothing) {
   auto examples = Examples();
-  for (auto& example : examples) example.is_person = false;
+  for (auto& example : examples) example.is_one = false;
   const auto classifier = PersonClassifier::Train(examples, {20, 2});
   EXPECT_THAT(classifier.problem(), testing::HasSubstr("0 people among 400"));
 }
