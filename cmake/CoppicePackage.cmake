@@ -72,7 +72,9 @@ if(COPPICE_ROBOT)
   set(CPACK_DEBIAN_ROBOT_PACKAGE_DEPENDS
       "coppice (= ${PROJECT_VERSION}), adduser, python3-rosmaster, espeak-ng-data, pocketsphinx-en-us, libjs-three, opencv-data, tzdata")
   set(CPACK_DEBIAN_ROBOT_PACKAGE_SUGGESTS "coppice-editor, chrony, postgresql, prometheus")
-  set(CPACK_DEBIAN_ROBOT_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/package/robot/postinst)
+  set(scripts ${CMAKE_CURRENT_LIST_DIR}/package/robot)
+  set(CPACK_DEBIAN_ROBOT_PACKAGE_CONTROL_EXTRA ${scripts}/postinst ${scripts}/prerm
+    ${scripts}/postrm)
 endif()
 
 if(COPPICE_WEB)

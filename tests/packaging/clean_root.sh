@@ -82,6 +82,9 @@ inside sh -c 'cd /packages/robot && cmake -B b > log && cmake --build b >> log' 
 expect "node types" /packages/robot/b/robot
 
 say "purged"
+if [ -x "$root/usr/bin/coppice-robot" ]; then  # as the unit does
+  mkdir -p "$root/var/lib/coppice/institute" "$root/var/log/coppice"
+fi
 inside sh -c 'dpkg --purge $(dpkg-query -W -f "\${Package}\n" | grep "coppice") > /dev/null'
 files > "$root.after"
 diff "$root.before" "$root.after" || { echo "this is left, or gone"; exit 1; }

@@ -1,17 +1,25 @@
 #include "robot_app/common/places/pose_file.h"
 
+#include <cmath>
 #include <cstdio>
-#include <fstream>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 
 namespace coppice::robot {
+namespace {
+
+constexpr std::size_t kLongest = 1000;  // bytes
+constexpr double kFarthest = 1e6;       // m: no map is that large
+
+}  // namespace
 
 std::optional<Pose2D> LoadPose(const std::string& file) {
-  std::ifstream stream(file);
-  std::string line;
-  if (!std::getline(stream, line)) return std::nullopt;
-  return ParsePose(line);
+  const std::optional<std::string> text = ReadFile(file, kLongest);
+  if (!text) return std::nullopt;
+  const auto pose = ParsePose(text->substr(0, text->find('\n')));
+  const bool is_near = pose && std::hypot(pose->x, pose->y) <= kFarthest;
+  return is_near ? pose : std::nullopt;
 }
 
 Outcome SavePose(const std::string& file, const Pose2D& pose) {

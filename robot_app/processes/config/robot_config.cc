@@ -1,6 +1,7 @@
 #include "robot_app/processes/config/robot_config.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -49,6 +50,11 @@ class Loader {
   // Which site it is has to be known before anything else can be read.
   void ReadSites(YamlFields& fields) {
     for (auto& [name, value] : fields.Pairs("table")) {
+      if (!IsFolderName(name.text)) {
+        file_.Error(name.where,
+                    "site \"" + name.text +
+                        "\": expected the name of a folder, of letters, digits, _ and -");
+      }
       config_.sites.push_back({name.text, 0});
       YamlFields site = fields.MapOf(value);
       site_configurations_.push_back(site.Text("configuration"));
@@ -62,12 +68,21 @@ class Loader {
     variables_["site"] = config_.sites[config_.site].name;
   }
 
+  // A site's files lie in folders of its name: a name that leads elsewhere is none.
+  static bool IsFolderName(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_' || c == '-';
+    });
+  }
+
   // A site that is not complete is none: it is not entered.
   void ReadSiteFiles(YamlFields& fields) {
     for (const LocatedText& text : fields.Texts("files")) {
       const std::string path = Fill(text, variables_);
       if (!ReadFile(path)) {
         file_.Error(text.where, "site \"" + variables_["site"] + "\": cannot read " + path);
+      } else if (std::filesystem::path(path).extension() == ".yaml") {
+        YamlFields::Load(path, diagnostics_);  // a damaged one would end the programs that need it
       }
     }
     if (fields.Has("parameters")) ReadSiteParameters(fields.Text("parameters"));

@@ -21,6 +21,17 @@ TEST(PoseFile, KeepsThePose) {
 
 TEST(PoseFile, IsNothingIfItIsNotThere) { EXPECT_FALSE(LoadPose("/does/not/exist")); }
 
+TEST(PoseFile, IsNothingIfItHoldsNone) {
+  const std::string file = testing::TempDir() + "no_pose";
+  for (const std::string& text : {std::string(5000, ' ') + "1 2 3", std::string("1e300 0 0"),
+                                  std::string("1 2"), std::string("nan 0 0"), std::string()}) {
+    std::ofstream(file) << text;
+    EXPECT_FALSE(LoadPose(file)) << text;
+  }
+  EXPECT_FALSE(LoadPose("/dev/zero"));
+  std::filesystem::remove(file);
+}
+
 TEST(PoseFile, TellsWhyItCannotBeWritten) {
   const Outcome saved = SavePose("/does/not/exist", {});
   EXPECT_NE(saved.problem().find("/does/not"), std::string::npos) << saved.problem();

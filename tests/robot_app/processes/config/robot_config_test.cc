@@ -309,6 +309,26 @@ configurations: {all: [a]}
   EXPECT_THAT(Errors(), HasSubstr(":2:54: error: site \"home\": cannot read /nowhere/home.yaml"));
 }
 
+TEST_F(RobotConfigTest, ASiteOfADamagedFileIsNotComplete) {
+  const std::string file = Temporary("damaged_places.yaml");
+  std::ofstream(file) << "site: x\nplaces:\n  - {name: hall, x: 1";
+  Read(R"(
+sites: {table: {home: {configuration: all}}, files: ["${file}"]}
+processes: [{name: a, command: [x]}]
+configurations: {all: [a]}
+)",
+       {{"file", file}});
+  EXPECT_THAT(Errors(), HasSubstr(file + ":3:"));
+}
+
+TEST_F(RobotConfigTest, ASiteHasANameThatLeadsNowhereElse) {
+  for (const std::string name : {"../home", "a/b", "..", "\"\"", "\"a b\""}) {
+    Read("sites: {table: {" + name + ": {configuration: all}}}\n" +
+         "processes: [{name: a, command: [x]}]\nconfigurations: {all: [a]}\n");
+    EXPECT_THAT(Errors(), HasSubstr("expected the name of a folder")) << name;
+  }
+}
+
 TEST_F(RobotConfigTest, TheParametersOfASiteAreThoseOfItsNodes) {
   const std::string file = Temporary("site_parameters.yaml");
   std::ofstream(file) << "mapping: {range: 30}\nslam: {surroundings: outdoor}\n";
