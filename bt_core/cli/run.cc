@@ -5,6 +5,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/live/live_view.h"
+#include "bt_core/cli/plain_output.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/events/status_follower.h"
@@ -31,15 +32,15 @@ class Printer : public TickSink {
       follower_.Apply(event, [&](const StatusChange& change) { Print(events.tick, change); });
     }
     for (const NodeMessage& message : MessagesOf(events.words)) {
-      std::cout << "tick " << events.tick << "  " << program_.Path(message.node) << ": "
-                << message.text << "\n";
+      std::cout << "tick " << events.tick << "  " << Plain(program_.Path(message.node)) << ": "
+                << Plain(message.text) << "\n";
     }
   }
 
  private:
   void Print(std::uint64_t tick, const StatusChange& change) const {
     if (change.to == Status::kIdle) return;
-    std::cout << "tick " << tick << "  " << program_.Path(change.node) << "  "
+    std::cout << "tick " << tick << "  " << Plain(program_.Path(change.node)) << "  "
               << ToString(change.from) << " -> " << ToString(change.to) << "\n";
   }
 

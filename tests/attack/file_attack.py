@@ -4,6 +4,7 @@ write to. Each must end with a message, soon, and without taking the memory of t
 usage: file_attack.py COPPICE MIB EDITOR ROBOT
 MIB: how much memory no program may ever take. EDITOR, ROBOT: ON or OFF, whether there is one.
 """
+import json
 import os
 import resource
 import shutil
@@ -235,6 +236,25 @@ class Trees(FileAttack):
     def test_long_scripts_end_with_an_error(self):
         for script in ("(" * 30000, "1+" * 30000 + "1", "-" * 60000 + "1", "x" * 1000000):
             self.assertIn("error", self.check(TREE % ('<Script code="%s"/>' % script)))
+
+
+class Names(FileAttack):
+    """What somebody calls a node, or a scenario, says nothing to the terminal."""
+
+    def test_a_terminal_is_told_nothing_by_names(self):
+        name = "\x1b[2Jgone"
+        self.write("t.xml", TREE % '<AlwaysSuccess name="&#27;[2Jgone"/>')
+        texts = [self.run_program("run", "t.xml", "--record", "r.coppice", codes=(0,)),
+                 self.run_program("check", "t.xml"), self.run_program("stats", "r.coppice")]
+        for option in ("--print", "--verify", "--tick=1", "--why=" + name):
+            texts.append(self.run_program("replay", "r.coppice", option, codes=(0,)))
+        self.write("s.json", json.dumps({"tree": "t.xml", "scenarios": [
+            {"name": name, "steps": [{"expect": {"status": "FAILURE"}}]}]}))
+        texts += [self.run_program("test", "s.json", codes=(1,)),
+                  self.run_program("test", "--random", "2", "t.xml", codes=(0,))]
+        for text in texts:
+            self.assertNotIn("\x1b", text)
+        self.assertIn("\\x1B[2Jgone", texts[0])
 
 
 class Scenarios(FileAttack):

@@ -37,8 +37,8 @@ inside apt-get update -q > /dev/null
 # What the packages need comes first: it is not theirs, and may stay.
 mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages/"
-needed=$(for deb in "$packages"/*.deb; do dpkg-deb -f "$deb" Depends; done | tr ',|' '\n\n' |
-  sed 's/(.*)//; s/ //g' | grep -v coppice | sort -u)
+needed=$(for deb in "$packages"/*.deb; do dpkg-deb -f "$deb" Depends; done | tr ',' '\n' |
+  sed 's/|.*//; s/(.*)//; s/ //g' | grep -v coppice | sort -u)
 inside apt-get install -q -y --no-install-recommends g++ make cmake $needed > /dev/null
 files > "$root.before"
 

@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -11,6 +13,7 @@
 #include "bt_core/analysis/play/verify.h"
 #include "bt_core/analysis/why/why_text.h"
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/plain_output.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/replay/replay_printer.h"
 #include "bt_core/cli/replay/replay_scenario.h"
@@ -26,15 +29,23 @@ class Replay {
   Replay(const Options& options, const Recording& run) : options_(options), run_(run) {}
 
   int Run() {
+    const PlainOutput output;
     if (options_.Has("--verify")) return VerifyAll();
     if (options_.Has("--why")) return Explain(options_.Get("--why"));
     if (options_.Has("--why-not")) return Explain(options_.Get("--why-not"));
     if (options_.Has("--scenario")) return MakeScenario(options_, run_);
     if (options_.Has("--at") || options_.Has("--tick")) return ShowOne();
-    const bool plain = options_.Has("--print") || is_json() || options_.Has("--node") ||
-                       options_.Has("--from") || options_.Has("--to");
-    if (!plain && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)) return RunScrubber(run_);
     return PrintAll();
+  }
+
+  // In a terminal, to go back and forth.
+  bool IsForPeople() const {
+    static const char* const kOthers[] = {"--verify", "--why",  "--why-not", "--scenario",
+                                          "--at",     "--tick", "--print",   "--json",
+                                          "--node",   "--from", "--to"};
+    return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) &&
+           std::none_of(std::begin(kOthers), std::end(kOthers),
+                        [this](const char* option) { return options_.Has(option); });
   }
 
  private:
@@ -117,6 +128,7 @@ class Replay {
 };
 
 int CompareFiles(const Recording& first, const Recording& second, bool is_json) {
+  const PlainOutput output;
   const RunComparison comparison = CompareRuns(first, second);
   std::cout << (is_json ? ComparisonToJson(comparison) + "\n" : PrintComparison(comparison));
   return comparison.is_the_same() ? 0 : 1;
@@ -175,7 +187,8 @@ int RunReplay(const std::vector<std::string>& arguments) {
     runs.push_back(*std::move(run));
   }
   if (files == 2) return CompareFiles(runs[0], runs[1], options.Has("--json"));
-  return Replay(options, runs[0]).Run();
+  Replay replay(options, runs[0]);
+  return replay.IsForPeople() ? RunScrubber(runs[0]) : replay.Run();
 }
 
 }  // namespace coppice

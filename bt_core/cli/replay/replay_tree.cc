@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "bt_core/base/json.h"
+#include "bt_core/cli/plain_output.h"
 #include "bt_core/data/value_bytes.h"
 
 namespace coppice {
@@ -72,7 +73,7 @@ std::string NodeLine(const TreeDescription& tree, const TreePicture& picture, No
   std::string line = text + std::string(2 * DepthOf(tree, node), ' ') + name;
   const std::string& id = tree.nodes[node].id;
   if (name != id && name.rfind(id + "::", 0) != 0) line += "  <" + id + ">";
-  return colored ? ColorOf(shown) + line + "\x1b[0m" : line;
+  return colored ? ColorOf(shown) + Plain(line) + "\x1b[0m" : line;
 }
 
 std::string PrintPicture(const TreeDescription& tree, const TreePicture& picture, Time start) {

@@ -5,6 +5,7 @@
 
 #include "bt_core/analysis/why/why_text.h"
 #include "bt_core/base/json.h"
+#include "bt_core/cli/plain_output.h"
 #include "bt_core/cli/replay/replay_tree.h"
 
 namespace coppice {
@@ -16,8 +17,9 @@ constexpr char kHelp[] =
 constexpr std::size_t kPage = 10;
 
 // At most so many characters, without counting the escapes of colours, which stand at the ends.
-std::string Cut(const std::string& line, std::size_t columns) {
-  const bool colored = line.rfind("\x1b[", 0) == 0;
+std::string Cut(const std::string& text, std::size_t columns) {
+  const bool colored = text.rfind("\x1b[", 0) == 0;
+  const std::string line = colored ? text : Plain(text);
   const std::size_t extra = colored ? 9 : 0;
   if (line.size() <= columns + extra) return line;
   return line.substr(0, columns + (colored ? 5 : 0)) + (colored ? "\x1b[0m" : "");

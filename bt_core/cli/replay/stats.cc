@@ -5,6 +5,7 @@
 #include "bt_core/analysis/load_recording.h"
 #include "bt_core/analysis/statistics.h"
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/plain_output.h"
 #include "bt_core/cli/replay/replay.h"
 
 namespace coppice {
@@ -35,6 +36,7 @@ int RunStats(const std::vector<std::string>& arguments) {
   std::cerr << diagnostics.ToString();
   if (!run) return 2;
   const Statistics statistics = StatisticsOf(*run);
+  const PlainOutput output;
   std::cout << (options.Has("--json") ? StatisticsToJson(statistics, order) + "\n"
                                       : PrintStatistics(statistics, order));
   return 0;

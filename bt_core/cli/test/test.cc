@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/plain_output.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/test/random_test.h"
 #include "bt_core/cli/test/test_report.h"
@@ -94,6 +95,7 @@ or a script. The format: docs/testing.md.)",
 int RunTest(const Arguments& arguments) {
   const Options options = ParseOptions(TestCommand(), arguments);
   if (options.exit) return *options.exit;
+  const PlainOutput output;
   if (options.Has("--random")) return RunRandomTest(options);
   std::vector<TestedFile> files;
   std::size_t played = 0;
