@@ -16,7 +16,11 @@ std::string Plain(std::string_view text);
 class PlainOutput : private std::streambuf {
  public:
   PlainOutput() : output_(std::cout.rdbuf(this)) {}
-  ~PlainOutput() override { std::cout.rdbuf(output_); }
+  ~PlainOutput() override {
+    const std::ios::iostate state = std::cout.rdstate();  // rdbuf() forgets what has failed
+    std::cout.rdbuf(output_);
+    std::cout.setstate(state);
+  }
 
  private:
   std::streamsize xsputn(const char* text, std::streamsize size) override;
