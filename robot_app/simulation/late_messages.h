@@ -16,8 +16,8 @@ class LateMessages {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
-  /// `message` goes out with the first Send() at `time` or later. Beyond kMostBytes the earliest are
-  /// lost, as in a network.
+  /// `message` goes out with the first Send() at `time` or later. Beyond kMostBytes the earliest
+  /// are lost, as in a network.
   template <typename Message>
   void Add(double time, const ros::Publisher& publisher, const Message& message) {
     const std::size_t bytes = ros::serialization::serializationLength(message);
