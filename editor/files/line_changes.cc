@@ -8,6 +8,11 @@ namespace {
 using Lines = std::vector<std::string_view>;
 
 constexpr std::size_t kMostDifferences = 1000;  // beyond it the middle is one hunk
+constexpr std::size_t kMostLines = 1'000'000;   // of both; beyond it all is one
+
+std::size_t CountLines(std::string_view text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+}
 
 Lines SplitLines(std::string_view text) {
   Lines lines;
@@ -123,13 +128,17 @@ class Comparer {
 }  // namespace
 
 std::vector<LineHunk> CompareLines(std::string_view before, std::string_view after) {
+  if (before == after) return {};
+  const std::size_t old_count = CountLines(before);
+  const std::size_t new_count = CountLines(after);
+  if (old_count + new_count > kMostLines) return {{0, old_count, 0, new_count}};
   const Lines old_lines = SplitLines(before);
   const Lines new_lines = SplitLines(after);
   return Comparer(old_lines, new_lines).Run();
 }
 
 std::vector<LineMark> MarkLines(std::string_view before, std::string_view after) {
-  const auto lines = static_cast<std::size_t>(std::count(after.begin(), after.end(), '\n')) + 1;
+  const std::size_t lines = CountLines(after);
   std::vector<LineMark> marks(lines, LineMark::kSame);
   for (const LineHunk& hunk : CompareLines(before, after)) {
     if (hunk.after_begin == hunk.after_end) {

@@ -375,6 +375,10 @@ class Editor(FileAttack):
             os.mkfifo(self.path(name))
             self.edit(name, codes=(0, 1, 2))
 
+    def test_lines_without_end_take_little(self):
+        self.write("l.xml", '<root BTCPP_format="4">' + "\n" * 20_000_000 + "</root>")
+        self.edit("l.xml", codes=(0, 1, 2))
+
     def test_includes_may_be_devices_and_pipes(self):
         os.mkfifo(self.path("pipe.xml"))
         for place in ("/dev/zero", "/proc/kmsg", "pipe.xml", "."):

@@ -22,13 +22,16 @@ namespace {
 constexpr float kLineHeight = 18;
 constexpr float kNumberWidth = kXmlNumberWidth;
 
+constexpr std::size_t kMostLines = 1'000'000;  // the last one holds the rest
+
 using Line = XmlLines::Line;
 
 std::vector<Line> SplitLines(const std::string& text) {
   std::vector<Line> lines;
   std::size_t start = 0;
   while (start <= text.size()) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const bool is_rest = lines.size() + 1 == kMostLines;
+    const std::size_t end = is_rest ? text.size() : std::min(text.find('\n', start), text.size());
     const bool cr = end > start && end < text.size() && text[end - 1] == '\r';
     lines.push_back(
         {static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(cr ? end - 1 : end)});

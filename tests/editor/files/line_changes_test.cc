@@ -42,6 +42,15 @@ TEST(LineChanges, TextsWithNothingInCommonAreOneHunk) {
   EXPECT_EQ(CompareLines(before, after)[0].after_end, 3000U);
 }
 
+TEST(LineChanges, TextsOfMillionsOfLinesAreTheSameOrOneHunk) {
+  const std::string text(3'000'000, '\n');
+  EXPECT_TRUE(CompareLines(text, text).empty());
+  const auto hunks = CompareLines(text, text + "x");
+  ASSERT_EQ(hunks.size(), 1U);
+  EXPECT_EQ(hunks[0].before_end, 3'000'001U);
+  EXPECT_EQ(hunks[0].after_end, 3'000'001U);
+}
+
 TEST(LineChanges, HunksTurnOneTextIntoTheOther) {
   std::mt19937 random(7);
   for (int round = 0; round < 300; ++round) {
