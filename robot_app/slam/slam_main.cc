@@ -7,11 +7,13 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "robot_app/common/ros_support.h"
@@ -47,6 +49,7 @@ constexpr int kDrawnAtOnce = 5;       // key frames; one takes some 0.1 s
 constexpr double kDrawnWell = 0.1;    // a pose may be off in the voxels [m]
 constexpr char kShipped[] = "shipped";
 constexpr char kNone[] = "none";
+constexpr char kStore[] = "memory.db";
 constexpr char kFrame[] = "slam_map";
 
 struct Settings {
@@ -98,11 +101,16 @@ geometry_msgs::Pose ToPoseMessage(const Pose3& pose) {
 class SlamNode {
  public:
   SlamNode(const Settings& settings, const Vocabulary& vocabulary,
-           const PlaceClassifier& classifier, std::optional<SlamMap> map)
-      : settings_(settings), mapper_(vocabulary, classifier, settings.mapper) {
-    if (map) mapper_.Resume(*std::move(map));
-    mapper_.BeginSession(settings.session);
-    mapper_.environment().Force(SurroundingsOf(settings.surroundings));
+           const PlaceClassifier& classifier, std::unique_ptr<MapStore> store)
+      : settings_(settings), mapper_(vocabulary, classifier, settings.mapper, std::move(store)) {}
+
+  /// Goes on with that map, if it is one, in a new session.
+  Outcome Start(SlamMap map) {
+    const Outcome resumed = mapper_.Resume(std::move(map));
+    if (!resumed) return resumed;
+    first_ = first_of_session_ = saved_ = key_frames();
+    mapper_.BeginSession(settings_.session);
+    mapper_.environment().Force(SurroundingsOf(settings_.surroundings));
     pose_ = node_.advertise<geometry_msgs::PoseStamped>("/slam/pose", 5);
     grid_ = node_.advertise<nav_msgs::OccupancyGrid>("/slam/grid", 1, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>("/slam/graph", 1, true);
@@ -120,17 +128,18 @@ class SlamNode {
                                          response.success = Save(response.message);
                                          return true;
                                        }));
-    grid_timer_ = node_.createTimer(ros::Duration(settings.grid_period),
+    grid_timer_ = node_.createTimer(ros::Duration(settings_.grid_period),
                                     [this](const ros::TimerEvent&) { PublishGrid(); });
     draw_timer_ = node_.createWallTimer(ros::WallDuration(kDrawPeriod),
                                         [this](const ros::WallTimerEvent&) { DrawSome(); });
     state_timer_ = node_.createWallTimer(ros::WallDuration(kStatePeriod),
                                          [this](const ros::WallTimerEvent&) { PublishState(); });
-    std::istringstream names(settings.cameras);
+    std::istringstream names(settings_.cameras);
     for (std::string name; names >> name;) {
       cameras_.push_back(std::make_unique<perception::RgbdTopics>(node_, name, [] {}));
       cameras_.back()->SetOn(true);
     }
+    return {};
   }
 
   // Nothing that was driven for is lost because somebody forgot to save it.
@@ -186,6 +195,7 @@ class SlamNode {
     const ros::WallTime begin = ros::WallTime::now();
     const MapperReport report = mapper_.Add(sight);
     calculated_ += (ros::WallTime::now() - begin).toSec();
+    problem_ = report.problem;
     by_picture_ += report.of_picture == Verdict::kBelieved ? 1 : 0;
     by_cloud_ += report.of_cloud == Verdict::kBelieved ? 1 : 0;
   }
@@ -237,8 +247,9 @@ class SlamNode {
       const auto next = static_cast<std::uint32_t>(drawn_.size());
       drawn_.push_back(poses[next]);
       if (mapper_.graph().map_of(mapper_.graph().sessions()[next]) != map) continue;
-      const KeyFrame& key_frame = *mapper_.key_frames()[next];
-      voxels_.Add(key_frame.points, poses[next], settings_.mapper.lidar, key_frame.range);
+      const auto key_frame = mapper_.key_frame(next);
+      if (!key_frame) continue;  // the diagnostics say it
+      voxels_.Add((*key_frame)->points, poses[next], settings_.mapper.lidar, (*key_frame)->range);
     }
   }
 
@@ -323,13 +334,17 @@ class SlamNode {
   bool Save(std::string& message) {
     if (settings_.map_folder == kNone) return message = "~map_folder is not set", false;
     if (key_frames() == 0) return message = "there is no map yet", false;
-    const auto version = SaveSlamMap(settings_.map_folder, mapper_.Map());
+    MapStore& store = *mapper_.store();
+    const auto version =
+        SaveSlamMap(settings_.map_folder, mapper_.Map(),
+                    [&store](std::uint32_t key_frame) { return store.ReadPacked(key_frame); });
     if (!version) {
       message = version.problem();
       ROS_ERROR("%s", message.c_str());
       return false;
     }
     saved_ = key_frames();
+    problem_ = store.SetVersion(*version).problem();
     message = "saved as version " + std::to_string(*version) + " in " + settings_.map_folder;
     ROS_INFO("%s", message.c_str());
     return true;
@@ -339,9 +354,9 @@ class SlamNode {
   ros::NodeHandle node_;
   Transforms transforms_;
   SlamMapper mapper_;
-  const std::size_t first_ = key_frames();  // that this program adds
-  std::size_t first_of_session_ = first_;
-  std::size_t saved_ = first_;
+  std::size_t first_ = 0;  // that this program adds
+  std::size_t first_of_session_ = 0;
+  std::size_t saved_ = 0;
   std::size_t shown_ = 0;
   VoxelMap voxels_{settings_.mapper.resolution};
   std::uint32_t drawn_map_ = 0;
@@ -371,13 +386,24 @@ std::string FileOr(const std::string& file, const char* shipped) {
   return file == kShipped ? Shipped(shipped) : file;
 }
 
-// The map of the folder; a folder without one is where the first one goes.
-Expected<std::optional<SlamMap>> MapIn(const std::string& folder) {
-  if (folder == kNone || !HasSlamMap(folder)) return std::optional<SlamMap>();
+// The map that the store has, unless the folder has a version that was put there by somebody else.
+Expected<SlamMap> MapIn(const std::string& folder, MapStore& store) {
+  const int newest = NewestVersion(folder);
+  auto kept = store.Load();
+  if (!kept || newest == 0 || store.version() == newest) return kept;
   auto loaded = LoadSlamMap(folder);
   if (!loaded) return Problem{loaded.problem()};
+  const Outcome cleared = store.Clear();
+  if (!cleared) return Problem{cleared.problem()};
   if (!loaded->remark.empty()) ROS_WARN("%s", loaded->remark.c_str());
-  return std::optional<SlamMap>(std::move(loaded->map));
+  return std::move(loaded->map);
+}
+
+Expected<std::unique_ptr<MapStore>> StoreIn(const std::string& folder) {
+  if (folder == kNone) return MapStore::Open("");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  return MapStore::Open((std::filesystem::path(folder) / kStore).string());
 }
 
 int Run(Settings settings) {
@@ -390,9 +416,15 @@ int Run(Settings settings) {
   if (!vocabulary) return Fail(vocabulary.problem());
   const auto classifier = PlaceClassifier::Load(FileOr(settings.classifier, COPPICE_PLACES));
   if (!classifier) return Fail(classifier.problem());
-  auto map = MapIn(settings.map_folder);
+  auto store = StoreIn(settings.map_folder);
+  if (!store) return Fail(store.problem());
+  auto map = MapIn(settings.map_folder, **store);
   if (!map) return Fail(map.problem());
-  SlamNode node(settings, *vocabulary, *classifier, *std::move(map));
+  MapStore& kept = **store;
+  SlamNode node(settings, *vocabulary, *classifier, *std::move(store));
+  Outcome started = node.Start(*std::move(map));
+  if (started) started = kept.SetVersion(NewestVersion(settings.map_folder));
+  if (!started) return Fail(started.problem());
   ros::spin();
   node.KeepWhatIsUnsaved();
   return 0;

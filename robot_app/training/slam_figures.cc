@@ -47,13 +47,19 @@ std::vector<Vec2> Begun(std::vector<Vec2> way, std::size_t session) {
 class Study {
  public:
   Study(const SlamStudy& study, const std::function<void(double)>& say)
-      : study_(study), say_(say), mapper_(study.vocabulary, study.classifier, study.mapper) {}
+      : study_(study),
+        say_(say),
+        mapper_(study.vocabulary, study.classifier, study.mapper,
+                study.on_disk ? *slam::MapStore::Open("") : nullptr) {}
 
   SlamResult Run() {
     for (std::size_t session = 0; session < study_.lights.size(); ++session) Drive(session);
     figures_.key_frames = static_cast<int>(stops_.size());
     figures_.mean_update = seconds_ / std::max<double>(static_cast<double>(stops_.size()), 1);
     SlamResult result{figures_, mapper_.Map(), stops_};
+    for (std::uint32_t i = 0; i < stops_.size(); ++i) {
+      result.map.key_frames[i] = *mapper_.key_frame(i);
+    }
     CompareGrid(CompareWays(result), result);
     return result;
   }
@@ -102,12 +108,19 @@ class Study {
     figures_.worst_update = std::max(figures_.worst_update, seconds);
     Count(report.by_picture, report.of_picture, figures_.by_picture);
     Count(report.by_cloud, report.of_cloud, figures_.by_cloud);
+    figures_.most_working = std::max(figures_.most_working, mapper_.memory().working());
+    was_away_.resize(stops_.size());
+    for (std::uint32_t i = 0; i < stops_.size(); ++i) {
+      if (!mapper_.memory().IsWorking(i)) was_away_[i] = true;
+    }
   }
 
   void Count(const std::optional<slam::Link>& link, slam::Verdict verdict, int& believed) {
     if (!link) return;
     if (verdict == slam::Verdict::kRefused) ++figures_.refused;
-    if (verdict == slam::Verdict::kBelieved) ++believed;
+    if (verdict != slam::Verdict::kBelieved) return;
+    ++believed;
+    if (was_away_[link->from]) ++figures_.from_disk;
   }
 
   // Closures that were believed, one of those that waited among them, and the poses of all sessions
@@ -170,6 +183,7 @@ class Study {
   slam::SlamMapper mapper_;
   SlamFigures figures_;
   std::vector<Stop> stops_;
+  std::vector<bool> was_away_;  // of each key frame, at any time
   double seconds_ = 0;
 };
 

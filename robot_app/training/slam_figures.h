@@ -21,18 +21,21 @@ struct SlamStudy {
   std::vector<double> lights;  ///< a session with each
   std::uint64_t seed = 1;
   slam::MapperSettings mapper;
+  bool on_disk = false;  ///< what is not worked with is in a store
 };
 
 struct SlamFigures {
   double way = 0;  ///< of all sessions [m]
   int key_frames = 0;
   int by_picture = 0, by_cloud = 0;  ///< closures that were believed
+  int from_disk = 0;                 ///< of them, to key frames that had been put away before
   int refused = 0;
   int false_closures = 0;  ///< believed, and more than 0.5 m or 5 degrees off
   int joined = 0;          ///< sessions that were joined in their round, of those after the first
   double error = 0;  ///< of the trajectories, root of mean square after one shift and turn [m]
   double worst = 0;  ///< [m]
-  double right_cells = 0;  ///< share of the grid's known cells that are as on the floor
+  double right_cells = 0;        ///< share of the grid's known cells that are as on the floor
+  std::size_t most_working = 0;  ///< key frames in memory
   double mean_update = 0, worst_update = 0;  ///< of a processor [s]
 };
 

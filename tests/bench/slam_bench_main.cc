@@ -3,6 +3,8 @@
 //   places in pictures        recognized of all stops, by how bright it is; none may be wrong
 //   places in clouds          the same in the dark, of all places and of those nearby
 //   maps of several sessions  closures, error of the ways, cells of the grid, time of an update
+//   updates                   time of one in a map of 5 000 key frames (--updates 5000)
+//   pose graphs               of up to 5 000 key frames: what an update has to solve, and its time
 //
 // With --pictures FOLDER it paints the curve and the map of the last seed.
 #include <cstdio>
@@ -15,6 +17,8 @@
 #include "robot_app/common/compressed_picture.h"
 #include "robot_app/slam/drawing/map_picture.h"
 #include "robot_app/slam/map/slam_map_file.h"
+#include "robot_app/training/maps/building_tour.h"
+#include "robot_app/training/maps/update_figures.h"
 #include "robot_app/training/place_figures.h"
 #include "robot_app/training/slam_figures.h"
 #include "tests/support/folders.h"
@@ -28,7 +32,10 @@ const Command kBench{
     {"", 0, 0},
     "All of it takes some ten minutes for each seed on one core.",
     {CommandOption::Whole("--seeds", "N", 0, 1000, "maps of four sessions each; else 3"),
-     CommandOption::Flag("--maps-only", "do not measure places"),
+     CommandOption::Flag("--maps-only", "measure neither places nor pose graphs"),
+     CommandOption::Flag("--graphs-only", "measure pose graphs alone, in half a minute"),
+     CommandOption::Whole("--updates", "N", 100, 1000000,
+                          "measure updates alone, of a map that grows to N key frames"),
      CommandOption::Text("--pictures", "FOLDER", "paint the curve and the last map"),
      CommandOption::Text("--save", "FOLDER", "keep the last map, for coppice-map")}};
 
@@ -100,6 +107,31 @@ int MeasurePlaces(const Known& known, const Options& options) {
                slam::DrawCurves({curve, clouds}, "light", "places recognized, none wrong", true));
 }
 
+void MeasureGraphs() {
+  std::vector<GraphFigures> all;
+  for (const int sessions : {1, 2, 5}) {
+    BuildingTourSettings building;
+    building.sessions = sessions;
+    all.push_back(MeasureGraph(TourOfABuilding(building), {}));
+  }
+  std::printf("\npose graphs of a building that nobody built\n%s", Table(all).c_str());
+  std::fflush(stdout);
+}
+
+void MeasureUpdatesOf(const Known& known, std::size_t key_frames) {
+  const SlamStudy study{known.floor,
+                        known.sensors,
+                        known.vocabulary,
+                        known.classifier,
+                        RoundOfTheInstitute(),
+                        {1, 0.3, 0.04},
+                        kSeed,
+                        {}};
+  const auto figures = MeasureUpdates(study, key_frames, key_frames / 10, Say);
+  std::printf("\nupdates of a map with rounds through the institute\n%s", Table(figures).c_str());
+  std::fflush(stdout);
+}
+
 int MeasureMaps(const Known& known, const Options& options) {
   std::vector<SlamFigures> all;
   const auto seeds = static_cast<std::uint64_t>(options.Whole("--seeds", 3));
@@ -130,9 +162,15 @@ int MeasureMaps(const Known& known, const Options& options) {
 int Main(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(kBench, arguments);
   if (options.exit) return *options.exit;
+  if (options.Has("--graphs-only")) return MeasureGraphs(), 0;
   const auto known = LoadKnown();
   if (!known) return Fail(known.problem());
+  if (options.Has("--updates")) {
+    MeasureUpdatesOf(*known, static_cast<std::size_t>(options.Whole("--updates", 5000)));
+    return 0;
+  }
   if (!options.Has("--maps-only")) {
+    MeasureGraphs();
     if (const int status = MeasurePlaces(*known, options)) return status;
   }
   return MeasureMaps(*known, options);

@@ -15,7 +15,16 @@ double AngleOf(const Pose3& pose) { return Eigen::AngleAxisd(pose.linear()).angl
 
 SessionGraph::SessionGraph(SessionGraphSettings settings, PoseGraph graph,
                            std::vector<std::uint32_t> sessions)
-    : settings_(settings), graph_(std::move(graph)), sessions_(std::move(sessions)) {
+    : settings_(settings), solver_(settings.solver), sessions_(std::move(sessions)) {
+  for (const Pose3& pose : graph.poses) {
+    graph_.poses.push_back(pose);
+    solver_.AddPose();
+  }
+  for (const Link& link : graph.links) {
+    graph_.links.push_back(link);
+    solver_.AddLink(graph_);
+  }
+  solver_.SetRough(std::vector<bool>(graph_.poses.size(), true));  // perhaps it was written so
   maps_.resize(sessions_.empty() ? 0 : sessions_.back() + 1);
   std::iota(maps_.begin(), maps_.end(), 0U);
   for (const Link& link : graph_.links) {
@@ -27,13 +36,16 @@ SessionGraph::SessionGraph(SessionGraphSettings settings, PoseGraph graph,
 
 std::uint32_t SessionGraph::AddPose(const Pose3& moved, const Matrix6& information) {
   const auto index = static_cast<std::uint32_t>(graph_.poses.size());
-  if (std::exchange(begins_, false)) {
+  const bool begun = std::exchange(begins_, false);
+  if (begun) {
     maps_.push_back(session_count());
     graph_.poses.push_back(Pose3::Identity());
   } else {
     graph_.links.push_back({index - 1, index, moved, information, LinkKind::kStep});
     graph_.poses.push_back(graph_.poses.back() * moved);
   }
+  solver_.AddPose();
+  if (!begun) solver_.AddLink(graph_);
   sessions_.push_back(session_count() - 1);
   return index;
 }
@@ -56,31 +68,46 @@ std::vector<std::uint32_t> SessionGraph::FirstPoses() const {
   return first;
 }
 
+bool SessionGraph::AllFit(const std::vector<Link>& closures, double most) const {
+  return std::all_of(closures.begin(), closures.end(),
+                     [&](const Link& link) { return SquaredError(link, graph_.poses) <= most; });
+}
+
 Verdict SessionGraph::CloseInside(const std::vector<Link>& closures) {
-  if (std::all_of(closures.begin(), closures.end(), [this](const Link& link) {
-        return SquaredError(link, graph_.poses) <= settings_.settled;
-      })) {
-    graph_.links.insert(graph_.links.end(), closures.begin(), closures.end());
-    return Verdict::kBelieved;
-  }
-  std::vector<Pose3> before = graph_.poses;
-  const auto fits = [this](const Link& link) {
-    return SquaredError(link, graph_.poses) <= settings_.most_error;
+  const auto add = [&] {
+    for (const Link& closure : closures) {
+      graph_.links.push_back(closure);
+      solver_.AddLink(graph_);
+    }
   };
-  std::vector<std::size_t> fitted;  // closures that must go on fitting
-  for (std::size_t i = 0; i < graph_.links.size(); ++i) {
-    if (graph_.links[i].is_closure() && fits(graph_.links[i])) fitted.push_back(i);
+  if (AllFit(closures, settings_.settled)) return add(), Verdict::kBelieved;
+  std::vector<Pose3> before = graph_.poses;
+  std::vector<bool> rough = solver_.rough();
+  std::vector<Link> fitted;  // closures that must go on fitting
+  for (const Link& link : graph_.links) {
+    if (link.is_closure() && SquaredError(link, graph_.poses) <= settings_.most_error) {
+      fitted.push_back(link);
+    }
   }
-  graph_.links.insert(graph_.links.end(), closures.begin(), closures.end());
-  if (Optimize(FirstPoses(), settings_.optimize, graph_) &&
-      std::all_of(closures.begin(), closures.end(), fits) &&
-      std::all_of(fitted.begin(), fitted.end(),
-                  [&](std::size_t i) { return fits(graph_.links[i]); })) {
-    return Verdict::kBelieved;
+  const bool is_far = !AllFit(closures, settings_.most_error);
+  const std::size_t links = graph_.links.size();
+  if (!is_far || solver_.SolveCoarse(FirstPoses(), closures, graph_)) {
+    add();
+    if (SolveAround(closures) && AllFit(closures, settings_.most_error) &&
+        AllFit(fitted, settings_.most_error * (is_far ? settings_.while_rough : 1))) {
+      return Verdict::kBelieved;
+    }
   }
-  graph_.links.resize(graph_.links.size() - closures.size());
+  for (; graph_.links.size() > links; graph_.links.pop_back()) solver_.DropLink(graph_);
   graph_.poses = std::move(before);
+  solver_.SetRough(std::move(rough));
   return Verdict::kRefused;
+}
+
+bool SessionGraph::SolveAround(const std::vector<Link>& closures) {
+  std::vector<std::uint32_t> ends;
+  for (const Link& closure : closures) ends.insert(ends.end(), {closure.from, closure.to});
+  return solver_.SolveAround(ends, FirstPoses(), graph_);
 }
 
 // Both say where the frame of one map lies in that of the other.

@@ -6,13 +6,14 @@
 // believed alone, for nothing could contradict it: it waits until a second one, measured some way
 // from it, says the same of how both lie to each other. Then the younger session is moved into the
 // frame of the older one. A closure inside of one map is believed if it fits, and makes none
-// unfit, once all poses have been moved to where they fit best; else it is forgotten and nothing
-// has moved.
+// unfit, once the poses have been moved to where they fit best; else it is forgotten and nothing
+// has moved. However large the map is, that takes no longer (graph_solver.h).
 //
 //   SessionGraph graph(settings);
 //   graph.BeginSession();
 //   const std::uint32_t key_frame = graph.AddPose(moved, information);
 //   if (graph.AddClosure(link) == Verdict::kBelieved) ...   // graph.poses() have moved
+//   graph.Refine();                                         // and move on a little
 //
 // M. Labbe, F. Michaud: RTAB-Map as an Open-Source Lidar and Visual SLAM Library, Journal of Field
 // Robotics 36 (2019): multi-session mapping, closures refused by the error that they leave.
@@ -22,17 +23,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "robot_app/slam/graph/graph_solver.h"
 #include "robot_app/slam/graph/pose_graph.h"
 
 namespace coppice::robot::slam {
 
 struct SessionGraphSettings {
-  OptimizeSettings optimize;
+  SolverSettings solver;
   /// A closure that is off by no more, squared in standard deviations, moves nothing: the graph as
   /// it is fits it.
   double settled = 4;
   /// A closure that is farther off than this afterwards, squared in standard deviations, is false.
   double most_error = 30;
+  /// So many times that is allowed where a part of the map is not solved to the end yet.
+  double while_rough = 2;
   // Two closures that are to join sessions.
   double apart = 0.7;         ///< at least so far from each other, for both sessions [m]
   double most_off = 0.3;      ///< they say the same to within [m],
@@ -48,7 +52,8 @@ enum class Verdict {
 /// Not thread-safe.
 class SessionGraph {
  public:
-  explicit SessionGraph(SessionGraphSettings settings = {}) : settings_(settings) {}
+  explicit SessionGraph(SessionGraphSettings settings = {})
+      : settings_(settings), solver_(settings.solver) {}
 
   /// A graph as it was written down; `sessions` is the session of each pose, from 0 on, ascending.
   SessionGraph(SessionGraphSettings settings, PoseGraph graph, std::vector<std::uint32_t> sessions);
@@ -63,6 +68,13 @@ class SessionGraph {
   /// Is measured between two poses; see above.
   Verdict AddClosure(const Link& closure);
 
+  /// Moves what the closures before have left rough, a part of it; to be called at each key frame.
+  /// False: all is settled.
+  bool Refine() { return solver_.Refine(FirstPoses(), graph_); }
+
+  /// What was calculated since this was asked.
+  SolverWork TakeWork() { return solver_.TakeWork(); }
+
   const std::vector<Pose3>& poses() const { return graph_.poses; }
   const PoseGraph& graph() const { return graph_; }
   /// Of each pose.
@@ -74,6 +86,8 @@ class SessionGraph {
 
  private:
   Verdict CloseInside(const std::vector<Link>& closures);
+  bool SolveAround(const std::vector<Link>& closures);
+  bool AllFit(const std::vector<Link>& closures, double most) const;
   Verdict Join(const Link& closure);
   void MoveMap(std::uint32_t from, std::uint32_t to, const Pose3& motion);
   bool SaysTheSame(const Link& closure, const Link& other) const;
@@ -81,6 +95,7 @@ class SessionGraph {
 
   SessionGraphSettings settings_;
   PoseGraph graph_;
+  GraphSolver solver_;
   std::vector<std::uint32_t> sessions_;  // of each pose
   std::vector<std::uint32_t> maps_;      // of each session
   std::vector<Link> waiting_;            // between maps

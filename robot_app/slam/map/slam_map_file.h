@@ -6,6 +6,7 @@
 #ifndef COPPICE_ROBOT_APP_SLAM_MAP_SLAM_MAP_FILE_H_
 #define COPPICE_ROBOT_APP_SLAM_MAP_SLAM_MAP_FILE_H_
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,11 +22,16 @@ struct LoadedMap {
   std::string remark;  ///< what was wrong with newer versions; empty: nothing
 };
 
-/// Writes the next version into `folder`, which is made if it is not there; returns its number.
-Expected<int> SaveSlamMap(const std::string& folder, const SlamMap& map);
+/// What a key frame saw, packed (map_bytes.h).
+using PackedKeyFrames = std::function<Expected<std::string>(std::uint32_t)>;
 
-/// Whether there is any version in it, whole or not.
-bool HasSlamMap(const std::string& folder);
+/// Writes the next version into `folder`, which is made if it is not there; returns its number.
+/// Key frames that the map does not have in memory are asked of `others`.
+Expected<int> SaveSlamMap(const std::string& folder, const SlamMap& map,
+                          const PackedKeyFrames& others = {});
+
+/// The number of the newest version in it, whole or not; 0: there is none.
+int NewestVersion(const std::string& folder);
 
 /// Reads the newest version that is whole.
 Expected<LoadedMap> LoadSlamMap(const std::string& folder);

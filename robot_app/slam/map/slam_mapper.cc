@@ -21,8 +21,11 @@ constexpr double kCloudTurn = 0.01;
 
 constexpr float kKeptEdge = 0.1F;      // m: a point in each such cube is kept
 constexpr float kKeptRange = 40;       // m
-constexpr double kNear = 4;            // m: what is of use there is in the working memory
-constexpr std::size_t kRetrieved = 4;  // at once
+constexpr double kNear = 4;            // m: what is of use there is in the working memory,
+constexpr std::size_t kEnough = 16;    // if there are not so many already,
+constexpr std::size_t kRetrieved = 1;  // at once
+constexpr double kPlace = 1;           // m: key frames in such a square,
+constexpr double kPlaceTurn = M_PI_2;  // rad: and so turned were taken at one place
 constexpr double kLeastDoubt = 1.5;    // m: clouds are asked for places so near to the robot
 constexpr double kMostDoubt = 6;       // m
 constexpr double kBetweenClouds = 1;   // m of way between two closures by clouds
@@ -38,23 +41,41 @@ Matrix6 OfStep(const Pose3& moved) {
 }  // namespace
 
 SlamMapper::SlamMapper(const Vocabulary& vocabulary, const PlaceClassifier& classifier,
-                       MapperSettings settings)
+                       MapperSettings settings, std::unique_ptr<MapStore> store)
     : settings_(std::move(settings)),
+      store_(std::move(store)),
       graph_(settings_.graph),
       pictures_(vocabulary, settings_.pictures),
       clouds_(classifier, settings_.clouds),
       memory_(settings_.working),
       environment_(settings_.environment) {}
 
-void SlamMapper::Resume(SlamMap map) {
+Outcome SlamMapper::Resume(SlamMap map) {
   graph_ = SessionGraph(settings_.graph, std::move(map.graph), std::move(map.sessions));
   key_frames_ = std::move(map.key_frames);
   names_ = std::move(map.names);
-  for (std::uint32_t i = 0; i < key_frames_.size(); ++i) memory_.Add();
-  memory_.Use({}, 0);
-  for (std::uint32_t i = 0; i < key_frames_.size(); ++i) {
-    if (memory_.IsWorking(i)) Remember(i);
+  if (store_ != nullptr && store_->key_frames() < key_frames_.size()) {
+    const Outcome kept = store_->Keep(names_, graph_, key_frames_);
+    if (!kept) return kept;
   }
+  for (std::uint32_t i = 0; i < key_frames_.size(); ++i) memory_.Add();
+  Use({});
+  for (std::uint32_t i = 0; i < key_frames_.size(); ++i) {
+    if (!memory_.IsWorking(i)) {
+      if (store_ != nullptr) key_frames_[i].reset();
+      continue;
+    }
+    auto read = key_frame(i);
+    if (!read) return Problem{read.problem()};
+    key_frames_[i] = *std::move(read);
+    RememberAgain(i);
+  }
+  return {};
+}
+
+Expected<std::shared_ptr<const KeyFrame>> SlamMapper::key_frame(std::uint32_t pose) const {
+  if (key_frames_[pose] != nullptr) return key_frames_[pose];
+  return store_->Read(pose);
 }
 
 void SlamMapper::BeginSession(const std::string& name) {
@@ -92,38 +113,80 @@ MapperReport SlamMapper::Add(const Sight& sight) {
   key_frames_.push_back(key_frame);
   memory_.Add();
   if (!environment_.is_dark()) LookAtPictures(sight, report);
-  LookAtCloud({key_frame->descriptor, ThinOut(key_frame->points)}, report);
-  Remember(report.key_frame);
-  Apply(memory_.Use(Near(kNear), kRetrieved));
+  KnownCloud cloud{key_frame->descriptor, ThinOut(key_frame->points)};
+  LookAtCloud(cloud, report);
+  graph_.Refine();
+  report.work = graph_.TakeWork();
+  Remember(report.key_frame, std::move(cloud));
+  if (store_ != nullptr) report.problem = store_->Keep(names_, graph_, key_frames_).problem();
+  const Outcome applied = Apply(Use(Near(kNear)));
+  if (!applied) report.problem = applied.problem();
   return report;
 }
 
-void SlamMapper::Remember(std::uint32_t key_frame) {
-  const KeyFrame& kept = *key_frames_[key_frame];
-  for (const auto& picture : kept.pictures) pictures_.Add(key_frame, picture);
-  clouds_.Add(key_frame, {kept.descriptor, ThinOut(kept.points)});
+MemoryChange SlamMapper::Use(const std::vector<std::uint32_t>& near) {
+  return memory_.Use(near, kEnough, kRetrieved,
+                     [this](std::uint32_t key_frame) { return PlaceOf(key_frame); });
 }
 
-void SlamMapper::Apply(const MemoryChange& change) {
+std::uint64_t SlamMapper::PlaceOf(std::uint32_t key_frame) const {
+  const Pose3& pose = graph_.poses()[key_frame];
+  const Eigen::Vector3d ahead = pose.linear().col(0);
+  const auto square = [](double metres) {
+    return static_cast<std::uint64_t>(std::lround(metres / kPlace)) & 0xFFFF;
+  };
+  const auto turn =
+      static_cast<std::uint64_t>(std::lround(std::atan2(ahead.y(), ahead.x()) / kPlaceTurn + 4));
+  const std::uint64_t map = graph_.map_of(graph_.sessions()[key_frame]);
+  return map << 48 | square(pose.translation().x()) << 32 | square(pose.translation().y()) << 16 |
+         (square(pose.translation().z()) & 0xFFF) << 4 | (turn & 3);
+}
+
+void SlamMapper::Remember(std::uint32_t key_frame, KnownCloud cloud) {
+  for (const auto& picture : key_frames_[key_frame]->pictures) pictures_.Add(key_frame, picture);
+  clouds_.Add(key_frame, std::move(cloud));
+}
+
+void SlamMapper::RememberAgain(std::uint32_t key_frame) {
+  const KeyFrame& kept = *key_frames_[key_frame];
+  Remember(key_frame, {kept.descriptor, ThinOut(kept.points)});
+}
+
+Outcome SlamMapper::Apply(const MemoryChange& change) {
+  Outcome all;
+  for (const std::uint32_t key_frame : change.retrieved) {
+    auto read = this->key_frame(key_frame);
+    if (!read) {
+      memory_.PutBack(key_frame);
+      all = Problem{read.problem()};
+      continue;
+    }
+    key_frames_[key_frame] = *std::move(read);
+    RememberAgain(key_frame);
+  }
   for (const std::uint32_t key_frame : change.forgotten) {
     pictures_.Remove(key_frame);
     clouds_.Remove(key_frame);
+    // What is not on the disk stays in memory.
+    if (store_ != nullptr && key_frame < store_->key_frames()) key_frames_[key_frame].reset();
   }
-  for (const std::uint32_t key_frame : change.retrieved) Remember(key_frame);
+  return all;
 }
 
-// Key frames of the map around the newest one.
+// Key frames of the map around the newest one, the nearest first.
 std::vector<std::uint32_t> SlamMapper::Near(double radius) const {
-  std::vector<std::uint32_t> near;
+  std::vector<std::pair<double, std::uint32_t>> near;
   const auto newest = static_cast<std::uint32_t>(graph_.poses().size() - 1);
   for (std::uint32_t i = 0; i < newest; ++i) {
     if (!graph_.InOneMap(i, newest)) continue;
     const Pose3& pose = graph_.poses()[i];
-    if ((pose.translation() - graph_.poses()[newest].translation()).norm() <= radius) {
-      near.push_back(i);
-    }
+    const double way = (pose.translation() - graph_.poses()[newest].translation()).norm();
+    if (way <= radius) near.push_back({way, i});
   }
-  return near;
+  std::sort(near.begin(), near.end());
+  std::vector<std::uint32_t> key_frames;
+  for (const auto& [way, key_frame] : near) key_frames.push_back(key_frame);
+  return key_frames;
 }
 
 bool SlamMapper::IsOld(std::uint32_t key_frame) const {
@@ -137,6 +200,7 @@ void SlamMapper::LookAtPictures(const Sight& sight, MapperReport& report) {
                                       [this](std::uint32_t k) { return IsOld(k); });
     if (!found || !IsSure(found->match, settings_.pictures.match)) continue;
     if (!best || found->match.inliers > best->match.inliers) best = found;
+    if (IsClear(best->match, settings_.pictures.match)) break;
   }
   if (!best) return;
   report.by_picture = Link{best->key_frame, report.key_frame, best->match.relative,

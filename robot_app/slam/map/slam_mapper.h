@@ -10,16 +10,20 @@
 // closures agree (session_graph.h). Clouds are asked for a place only where the robot may be after
 // what it has driven: rooms that are built alike look alike to a lidar.
 //
+// With a store all is on the disk after each sight, and what is not worked with is only there.
+//
 // Frames (REP-105): odometry is base_link in odom. Not thread-safe.
 #ifndef COPPICE_ROBOT_APP_SLAM_MAP_SLAM_MAPPER_H_
 #define COPPICE_ROBOT_APP_SLAM_MAP_SLAM_MAPPER_H_
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "robot_app/slam/clouds/cloud_places.h"
 #include "robot_app/slam/map/environment.h"
+#include "robot_app/slam/map/map_store.h"
 #include "robot_app/slam/map/memory.h"
 #include "robot_app/slam/map/slam_map.h"
 #include "robot_app/slam/occupancy/voxel_map.h"
@@ -46,7 +50,7 @@ struct Sight {
 struct MapperSettings {
   double step = 0.5;                    ///< a key frame after so much way [m]
   double turn = 0.35;                   ///< or after such a turn [rad]
-  std::size_t working = 2000;           ///< key frames that are asked for places
+  std::size_t working = 2000;           ///< key frames that are asked for places, and in memory
   std::size_t recent = 12;              ///< the last ones are not asked for: they are bound anyway
   double drift = 0.03;                  ///< how far odometry may be off, share of the way
   Eigen::Vector3d lidar = {0, 0, 1.2};  ///< in base_link
@@ -62,16 +66,19 @@ struct MapperReport {
   std::uint32_t key_frame = 0;
   std::optional<Link> by_picture, by_cloud;  ///< closures that were sure
   Verdict of_picture = Verdict::kRefused, of_cloud = Verdict::kRefused;
+  SolverWork work;      ///< of the pose graph
+  std::string problem;  ///< of the long-term memory; empty: none
 };
 
 class SlamMapper {
  public:
-  /// Vocabulary and classifier must outlive it.
+  /// Vocabulary and classifier must outlive it. Without a store all stays in memory.
   SlamMapper(const Vocabulary& vocabulary, const PlaceClassifier& classifier,
-             MapperSettings settings = {});
+             MapperSettings settings = {}, std::unique_ptr<MapStore> store = nullptr);
 
-  /// Goes on with a map that was saved; before any session has begun.
-  void Resume(SlamMap map);
+  /// Goes on with a map; before any session has begun. Key frames that are null are in the store;
+  /// if none is, all go there. A problem: they cannot be written or read.
+  Outcome Resume(SlamMap map);
 
   /// The robot may be anywhere. Odometry begins anew.
   void BeginSession(const std::string& name);
@@ -88,18 +95,24 @@ class SlamMapper {
   /// Whether this session lies in the map of an older one, or is the first.
   bool IsJoined() const;
 
-  /// Everything, to be saved. Key frames are shared, not copied.
+  /// Everything, to be saved. Key frames are shared, not copied; those of the long-term memory are
+  /// null, and in the store.
   SlamMap Map() const;
   const SessionGraph& graph() const { return graph_; }
-  const std::vector<std::shared_ptr<const KeyFrame>>& key_frames() const { return key_frames_; }
+  /// Of one pose, wherever it is kept.
+  Expected<std::shared_ptr<const KeyFrame>> key_frame(std::uint32_t pose) const;
+  MapStore* store() const { return store_.get(); }
   const Memory& memory() const { return memory_; }
   Environment& environment() { return environment_; }
   /// Metres since the last closure that was believed.
   double way_since_closure() const { return way_ - closed_at_; }
 
  private:
-  void Remember(std::uint32_t key_frame);
-  void Apply(const MemoryChange& change);
+  void Remember(std::uint32_t key_frame, KnownCloud cloud);
+  void RememberAgain(std::uint32_t key_frame);
+  Outcome Apply(const MemoryChange& change);
+  MemoryChange Use(const std::vector<std::uint32_t>& near);
+  std::uint64_t PlaceOf(std::uint32_t key_frame) const;
   void LookAtPictures(const Sight& sight, MapperReport& report);
   void LookAtCloud(const KnownCloud& cloud, MapperReport& report);
   Verdict Close(const Link& link);
@@ -107,6 +120,7 @@ class SlamMapper {
   bool IsOld(std::uint32_t key_frame) const;
 
   const MapperSettings settings_;
+  const std::unique_ptr<MapStore> store_;
   SessionGraph graph_;
   PicturePlaces pictures_;
   CloudPlaces clouds_;

@@ -145,6 +145,10 @@ std::optional<PictureMatch> MatchPictures(const PictureFeatures& old_picture,
   return match;
 }
 
+bool IsClear(const PictureMatch& match, const MatchSettings& settings) {
+  return match.inliers >= 2 * settings.least_inliers && IsSure(match, settings);
+}
+
 bool IsSure(const PictureMatch& match, const MatchSettings& settings) {
   const double tilt = std::acos(std::clamp(match.relative.linear()(2, 2), -1.0, 1.0));
   return match.inliers >= settings.least_inliers &&

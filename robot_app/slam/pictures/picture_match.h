@@ -44,6 +44,9 @@ std::optional<PictureMatch> MatchPictures(const PictureFeatures& old_picture,
 /// Whether it is enough to close a loop.
 bool IsSure(const PictureMatch& match, const MatchSettings& settings = {});
 
+/// Whether it is so much more than enough that no better one need be looked for.
+bool IsClear(const PictureMatch& match, const MatchSettings& settings = {});
+
 }  // namespace coppice::robot::slam
 
 #endif  // COPPICE_ROBOT_APP_SLAM_PICTURES_PICTURE_MATCH_H_

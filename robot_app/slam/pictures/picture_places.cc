@@ -38,6 +38,7 @@ std::optional<PicturePlace> PicturePlaces::Find(
         MatchPictures(*pictures_[candidate.picture], picture, camera, settings_.match);
     if (!match || (best && match->inliers <= best->match.inliers)) continue;
     best = PicturePlace{key_frames_[candidate.picture], *match};
+    if (IsClear(*match, settings_.match)) break;
   }
   return best;
 }

@@ -42,7 +42,8 @@ class PicturePlaces {
   void Remove(std::uint32_t key_frame);
 
   /// The key frame that fits the picture best, sure or not (IsSure), of those that `is_asked` holds
-  /// for. Nothing: none fits at all. About 30 ms.
+  /// for; no others are looked at once one is clear (IsClear). Nothing: none fits at all. At most
+  /// some 30 ms.
   std::optional<PicturePlace> Find(const PictureFeatures& picture, const CameraMount& camera,
                                    const std::function<bool(std::uint32_t)>& is_asked);
 

@@ -7,6 +7,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <std_srvs/Trigger.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "robot_app/common/child_process.h"
@@ -112,6 +113,35 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
   EXPECT_EQ(RunToTheEnd({kPrograms + "coppice-map", kMaps, "--plan", plan}, log), 0);
   EXPECT_THAT(TextOf(log), HasSubstr("tuesday"));
   EXPECT_GT(std::filesystem::file_size(plan), 2000U);
+}
+
+TEST_F(SlamNodeTest, KilledWhileItMapsItHasLostNothing) {
+  StartSimulator();
+  StartSlam("killed");
+  const Latest<diagnostic_msgs::DiagnosticArray> state(node_, "/diagnostics");
+  const auto key_frames = [&]() -> std::size_t {
+    if (!state.get()) return 0;
+    for (const auto& status : state.get()->status) {
+      if (status.name != "slam: map") continue;
+      for (const auto& value : status.values) {
+        if (value.key == "key frames") return std::stoul(value.value);
+      }
+    }
+    return 0;
+  };
+  ASSERT_TRUE(DriveUntil([&] { return key_frames() >= 4; }));
+  const std::size_t known = key_frames();
+  ASSERT_EQ(::kill(slam_.pid(), SIGKILL), 0);
+  slam_.Stop(std::chrono::seconds(20));
+  EXPECT_FALSE(LoadSlamMap(kMaps));  // no version was saved
+  StartSlam("again");
+  std_srvs::Trigger save;
+  ASSERT_TRUE(Eventually(
+      [&] { return ros::service::call("/slam/save", save) && save.response.success; }, kPatience));
+  const auto map = LoadSlamMap(kMaps);
+  ASSERT_TRUE(map) << map.problem();
+  EXPECT_EQ(map->map.names[0].name, "killed");
+  EXPECT_GE(map->map.key_frames.size(), known);
 }
 
 TEST_F(SlamNodeTest, RefusesWhatMakesNoSense) {

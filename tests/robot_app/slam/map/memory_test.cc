@@ -9,6 +9,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+// Each key frame at a place of its own.
+std::uint64_t Apart(std::uint32_t key_frame) { return key_frame; }
+
 Memory OfFive(std::size_t most) {
   Memory memory(most);
   for (int i = 0; i < 5; ++i) memory.Add();
@@ -17,30 +20,60 @@ Memory OfFive(std::size_t most) {
 
 TEST(Memory, WhatWasNotOfUseForTheLongestTimeMakesRoom) {
   Memory memory = OfFive(4);
-  EXPECT_THAT(memory.Use({0}, 2).forgotten, ElementsAre(1));
+  EXPECT_THAT(memory.Use({0}, 9, 2, Apart).forgotten, ElementsAre(1));
   EXPECT_FALSE(memory.IsWorking(1));
   EXPECT_TRUE(memory.IsWorking(0));
 }
 
 TEST(Memory, WhatIsOfUseAgainIsRetrieved) {
   Memory memory = OfFive(4);
-  memory.Use({}, 0);
-  const MemoryChange change = memory.Use({0}, 2);
+  memory.Use({}, 9, 0, Apart);
+  const MemoryChange change = memory.Use({0}, 9, 2, Apart);
   EXPECT_THAT(change.retrieved, ElementsAre(0));
   EXPECT_THAT(change.forgotten, ElementsAre(1));
 }
 
 TEST(Memory, OnlySoManyAreRetrievedAtOnce) {
   Memory memory = OfFive(2);
-  memory.Use({}, 0);
-  EXPECT_THAT(memory.Use({0, 1, 2}, 1).retrieved, ElementsAre(0));
+  memory.Use({}, 9, 0, Apart);
+  EXPECT_THAT(memory.Use({0, 1, 2}, 9, 1, Apart).retrieved, ElementsAre(0));
+}
+
+TEST(Memory, WhereEnoughIsKnownNothingIsRetrieved) {
+  Memory memory = OfFive(3);
+  memory.Use({}, 9, 0, Apart);
+  EXPECT_THAT(memory.Use({0, 3, 4}, 2, 9, Apart).retrieved, IsEmpty());
+  EXPECT_THAT(memory.Use({0, 3, 4}, 3, 9, Apart).retrieved, ElementsAre(0));
+}
+
+TEST(Memory, SomethingOfEachPlaceStays) {
+  Memory memory(10);
+  const auto place_of = [](std::uint32_t key_frame) -> std::uint64_t {
+    return key_frame < 5 ? key_frame : 5 + key_frame % 2;
+  };
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    memory.Add();
+    memory.Use({i}, 9, 0, place_of);
+  }
+  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_TRUE(memory.IsWorking(i)) << i;
+  EXPECT_EQ(memory.working(), 10U);
+}
+
+TEST(Memory, WhatCouldNotBeReadIsNotWorkedWith) {
+  Memory memory = OfFive(4);
+  memory.Use({}, 9, 0, Apart);
+  memory.Use({0}, 9, 1, Apart);
+  memory.PutBack(0);
+  memory.PutBack(0);
+  EXPECT_FALSE(memory.IsWorking(0));
+  EXPECT_EQ(memory.working(), 3U);
 }
 
 TEST(Memory, TheWorkingMemoryIsNeverLargerThanItMayBe) {
   Memory memory(10);
   for (std::uint32_t i = 0; i < 200; ++i) {
     memory.Add();
-    memory.Use({i / 2, i / 3}, 4);
+    memory.Use({i / 2, i / 3}, 9, 4, Apart);
     EXPECT_LE(memory.working(), 10U);
     EXPECT_TRUE(memory.IsWorking(i));
   }
@@ -48,7 +81,7 @@ TEST(Memory, TheWorkingMemoryIsNeverLargerThanItMayBe) {
 }
 
 TEST(Memory, WithRoomForAllNothingIsForgotten) {
-  EXPECT_THAT(OfFive(5).Use({1, 2}, 4).forgotten, IsEmpty());
+  EXPECT_THAT(OfFive(5).Use({1, 2}, 9, 4, Apart).forgotten, IsEmpty());
 }
 
 }  // namespace

@@ -5,8 +5,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
+#include "robot_app/slam/map/map_bytes.h"
+#include "tests/robot_app/slam/map/small_map.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::slam {
@@ -14,32 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-// Two sessions of two key frames, joined by a closure.
-SlamMap SmallMap() {
-  SlamMap map;
-  map.names = {{"monday", 10}, {"tuesday", 100}};
-  map.sessions = {0, 0, 1, 1};
-  for (int i = 0; i < 4; ++i) {
-    Pose3 pose = Pose3::Identity();
-    pose.translation() << 0.5 * i, 1, 0;
-    pose.linear() = Eigen::AngleAxisd(0.3 * i, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    map.graph.poses.push_back(pose);
-    auto key_frame = std::make_shared<KeyFrame>();
-    key_frame->stamp = 10 * i;
-    key_frame->points = {{1, 2, 0.5F}, {-3.25F, 0, 1}};
-    key_frame->descriptor.contour[7] = 4.5F;
-    PictureFeatures picture;
-    picture.pixels = {{100.5F, 20}};
-    picture.descriptors = {{1, 2, 3, static_cast<std::uint64_t>(i)}};
-    picture.points = {Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN())};
-    key_frame->pictures = {std::make_shared<PictureFeatures>(picture)};
-    map.key_frames.push_back(key_frame);
-  }
-  map.graph.links = {{0, 1, Pose3::Identity(), InformationOf(0.1, 0.01), LinkKind::kStep},
-                     {0, 3, map.graph.poses[3], InformationOf(0.1, 0.01), LinkKind::kCloud}};
-  return map;
-}
 
 class SlamMapFileTest : public testing::Test {
  protected:
@@ -108,6 +83,25 @@ TEST_F(SlamMapFileTest, AMapOfKilometresIsSavedAndRead) {
   ASSERT_TRUE(loaded) << loaded.problem();
   EXPECT_EQ(loaded->map.key_frames.size(), kFrames);
   EXPECT_EQ(loaded->map.key_frames.back()->points.size(), key_frame->points.size());
+}
+
+TEST_F(SlamMapFileTest, KeyFramesThatAreNotInMemoryAreAskedFor) {
+  SlamMap map = SmallMap();
+  map.key_frames[2].reset();
+  const auto packed = [](std::uint32_t key_frame) -> Expected<std::string> {
+    if (key_frame != 2) return Problem{"only the third one was asked for"};
+    Writer writer;
+    PutKeyFrame(*SmallMap().key_frames[2], writer);
+    return std::string(std::string_view(Packed(writer.bytes())));
+  };
+  ASSERT_TRUE(SaveSlamMap(maps_, map, packed));
+  const auto loaded = LoadSlamMap(maps_);
+  ASSERT_TRUE(loaded) << loaded.problem();
+  EXPECT_EQ(loaded->map.key_frames[2]->stamp, 20);
+  const auto missing = SaveSlamMap(
+      maps_, map, [](std::uint32_t) -> Expected<std::string> { return Problem{"it is gone"}; });
+  EXPECT_EQ(missing.problem(), "it is gone");
+  EXPECT_EQ(NewestVersion(maps_), 1);
 }
 
 TEST_F(SlamMapFileTest, TheThreeNewestVersionsStay) {

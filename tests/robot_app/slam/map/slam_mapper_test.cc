@@ -23,7 +23,7 @@ class SlamMapperTest : public testing::Test {
   training::SlamResult Run(const std::vector<double>& lights) const {
     const training::SlamStudy study{
         floor_, sensors_, vocabulary_, classifier_, {{-0.8, 0}, {3, 0.2}, {-0.6, 0}, {-1, 0}},
-        lights, 3,        mapper_};
+        lights, 3,        mapper_,     true};
     return training::MeasureSlam(study, [](double) {});
   }
 
@@ -48,11 +48,21 @@ TEST_F(SlamMapperTest, ASecondSessionThatBeginsElsewhereIsJoined) {
 TEST_F(SlamMapperTest, ItGoesOnWithAMapThatWasSaved) {
   const training::SlamResult result = Run({1});
   SlamMapper again(vocabulary_, classifier_, mapper_);
-  again.Resume(result.map);
+  ASSERT_TRUE(again.Resume(result.map));
   EXPECT_EQ(again.graph().poses().size(), result.map.graph.poses.size());
   again.BeginSession("later");
   EXPECT_FALSE(again.IsJoined());
   EXPECT_TRUE(again.IsDue(Pose3::Identity()));
+}
+
+TEST_F(SlamMapperTest, KeyFramesThatWerePutAwayComeBackAndCloseLoops) {
+  mapper_.working = 8;
+  const training::SlamResult result = Run({1, 1});
+  EXPECT_GT(result.map.key_frames.size(), 20U);
+  EXPECT_EQ(result.figures.joined, 1);
+  EXPECT_GT(result.figures.from_disk, 2);
+  EXPECT_EQ(result.figures.most_working, 8U);
+  EXPECT_EQ(result.figures.false_closures, 0);
 }
 
 TEST_F(SlamMapperTest, AWorkingMemoryThatIsTooSmallForTheMapIsKept) {
