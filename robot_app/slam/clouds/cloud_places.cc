@@ -16,6 +16,11 @@ float Unlike(const CloudDescriptor& a, const CloudDescriptor& b) {
   return sum;
 }
 
+// How well it fits; what only slides along walls does not fit where those end.
+double Fit(const Registration& registration) {
+  return registration.overlap + registration.hold_share;
+}
+
 Pose3 Turned(double yaw) {
   Pose3 pose = Pose3::Identity();
   pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -75,8 +80,9 @@ std::optional<CloudPlace> CloudPlaces::Find(
       const auto registration =
           Register(known.thin, cloud.thin, Turned(turn), settings_.registration);
       if (!registration) continue;
-      if (best && registration->overlap <= best->registration.overlap) continue;
+      if (best && Fit(*registration) <= Fit(best->registration)) continue;
       best = CloudPlace{key_frames_[candidate.cloud], candidate.probability, *registration};
+      if (IsSure(*registration, settings_.registration)) return best;
     }
   }
   return best;

@@ -35,7 +35,7 @@ struct KnownCloud {
   CloudDescriptor descriptor;
   ThinCloud thin;
 };
-KnownCloud Keep(const CloudPoints& points, double range = 20);
+KnownCloud Keep(const CloudPoints& points, double range = 40);
 
 struct CloudPlace {
   std::uint32_t key_frame = 0;
@@ -62,8 +62,9 @@ class CloudPlaces {
   /// Takes the clouds of a key frame out again.
   void Remove(std::uint32_t key_frame);
 
-  /// The key frame that the cloud lies upon best, sure or not (IsSure), of those that `is_asked`
-  /// holds for. Nothing: the classifier knows none, or none can be registered.
+  /// A key frame that the cloud surely lies upon (IsSure), the likest first; else the one that it
+  /// lies upon best; of those that `is_asked` holds for. Nothing: the classifier knows none, or
+  /// none can be registered.
   std::optional<CloudPlace> Find(const KnownCloud& cloud,
                                  const std::function<bool(std::uint32_t)>& is_asked) const;
 

@@ -5,9 +5,8 @@
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/registration/icp.h>
-#include <pcl/registration/transformation_estimation_2D.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -24,45 +23,103 @@ constexpr int kNeighbours = 8;    // for a normal
 constexpr float kLeast = 0.6F;    // m: nearer is the robot itself
 constexpr std::size_t kFew = 60;  // points: nothing to compare
 
-// Pairs of points may be so far apart, and so many steps are done.
+// Pairs of points may be so far apart, and so many steps are done; of so many points one is looked
+// at.
 struct Pass {
   double pairs;
   int steps;
+  std::size_t of;
 };
-constexpr Pass kPasses[] = {{1.5, 15}, {0.6, 15}, {0.25, 20}};
+constexpr Pass kPasses[] = {{1.5, 12, 8}, {0.6, 10, 4}, {0.25, 8, 2}};
+constexpr double kStill = 1e-4;   // m and rad: a step is the last one
+constexpr float kAcross = 0.75F;  // of a normal along the weakest direction: it holds that
+constexpr float kAlike = 0.8F;    // cosine between the normals of a pair
 
-Points::Ptr ToPcl(const CloudPoints& points) {
-  Points::Ptr cloud(new Points);
-  cloud->reserve(points.size());
-  for (const Eigen::Vector3f& point : points) cloud->emplace_back(point.x(), point.y(), point.z());
-  return cloud;
+// A cloud in which the nearest points are found.
+class Target {
+ public:
+  explicit Target(const ThinCloud& cloud) : cloud_(cloud), points_(new Points) {
+    points_->reserve(cloud.points.size());
+    for (const Eigen::Vector3f& point : cloud.points) {
+      points_->emplace_back(point.x(), point.y(), point.z());
+    }
+    tree_.setInputCloud(points_);
+  }
+
+  // The point of the surface that is nearest and looks the same way; nothing within `most`.
+  std::optional<std::size_t> Find(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
+                                  double most) {
+    if (tree_.nearestKSearch(Point(point.x(), point.y(), point.z()), 1, index_, square_) == 0) {
+      return std::nullopt;
+    }
+    const auto nearest = static_cast<std::size_t>(index_[0]);
+    if (square_[0] > most * most) return std::nullopt;
+    if (std::abs(cloud_.normals[nearest].dot(normal)) < kAlike) return std::nullopt;
+    return nearest;
+  }
+  const ThinCloud& cloud() const { return cloud_; }
+
+ private:
+  const ThinCloud& cloud_;
+  Points::Ptr points_;
+  pcl::KdTreeFLANN<Point> tree_;
+  std::vector<int> index_ = std::vector<int>(1);
+  std::vector<float> square_ = std::vector<float>(1);
+};
+
+Pose3 OnTheFloor(double x, double y, double yaw) {
+  Pose3 pose = Pose3::Identity();
+  pose.translation() << x, y, 0;
+  pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return pose;
 }
 
-Eigen::Matrix4f Matrix(const Pose3& pose) { return pose.matrix().cast<float>(); }
+// One step of ICP: the shift and turn that lay the points best upon the surfaces beside them (Chen
+// and Medioni), what is farther off counting for less. Walls do not hold what slides along them.
+std::optional<Pose3> StepOf(Target& old_cloud, const ThinCloud& new_cloud, const Pose3& pose,
+                            const Pass& pass) {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d error = Eigen::Vector3d::Zero();
+  const Eigen::Isometry3f moved = pose.cast<float>();
+  for (std::size_t i = 0; i < new_cloud.points.size(); i += pass.of) {
+    const Eigen::Vector3f point = moved * new_cloud.points[i];
+    const auto pair = old_cloud.Find(point, moved.linear() * new_cloud.normals[i], pass.pairs);
+    if (!pair) continue;
+    const Eigen::Vector3f& normal = old_cloud.cloud().normals[*pair];
+    const double off = normal.dot(point - old_cloud.cloud().points[*pair]);
+    const double weight = 1 / (1 + off * off / (pass.pairs * pass.pairs / 16));
+    const Eigen::Vector3d row(normal.x(), normal.y(),
+                              normal.y() * point.x() - normal.x() * point.y());
+    information += weight * row * row.transpose();
+    error += weight * off * row;
+  }
+  // What nothing holds stays where it is.
+  information.diagonal().array() += 1e-3 * information.trace() / 3 + 1e-9;
+  const Eigen::Vector3d step = -information.ldlt().solve(error);
+  if (!step.allFinite()) return std::nullopt;
+  return OnTheFloor(step.x(), step.y(), step.z()) * pose;
+}
 
 struct Agreement {
   double overlap = 0;
   double squares = 0;  // of the distances of what agrees, along the normals
   std::size_t agree = 0;
-  Eigen::Matrix2d normals = Eigen::Matrix2d::Zero();  // of what agrees
+  Eigen::Matrix2d normals = Eigen::Matrix2d::Zero();  // of what agrees, in the new cloud's frame
+  std::vector<bool> agrees;
 };
 
-// How much of `cloud`, moved by `motion`, lies upon the points of `tree`.
-Agreement AgreeWith(const pcl::KdTreeFLANN<Point>& tree, const ThinCloud& cloud,
-                    const Pose3& motion, double near) {
+// How much of `cloud`, moved by `motion`, lies upon the target.
+Agreement AgreeWith(Target& target, const ThinCloud& cloud, const Pose3& motion, double near) {
   Agreement agreement;
-  std::vector<int> index(1);
-  std::vector<float> square(1);
   const Eigen::Isometry3f moved = motion.cast<float>();
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     const Eigen::Vector3f point = moved * cloud.points[i];
-    if (tree.nearestKSearch(Point(point.x(), point.y(), point.z()), 1, index, square) == 0)
-      continue;
-    if (square[0] > near * near) continue;
+    const auto nearest = target.Find(point, moved.linear() * cloud.normals[i], near);
+    agreement.agrees.push_back(nearest.has_value());
+    if (!nearest) continue;
     ++agreement.agree;
-    const Eigen::Vector3f nearest =
-        (*tree.getInputCloud())[static_cast<std::size_t>(index[0])].getVector3fMap();
-    const float off = (moved.linear() * cloud.normals[i]).dot(point - nearest);
+    const float off =
+        (moved.linear() * cloud.normals[i]).dot(point - target.cloud().points[*nearest]);
     agreement.squares += off * off;
     const Eigen::Vector2d normal = cloud.normals[i].head<2>().cast<double>();
     agreement.normals += normal * normal.transpose();
@@ -72,12 +129,21 @@ Agreement AgreeWith(const pcl::KdTreeFLANN<Point>& tree, const ThinCloud& cloud,
   return agreement;
 }
 
-// The share of the weaker direction in what the normals hold.
-double HoldOf(const Eigen::Matrix2d& normals) {
-  const double trace = normals.trace();
-  if (trace <= 0) return 0;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(normals);
-  return solver.eigenvalues()(0) / trace;
+// What holds a direction: surfaces that look that way.
+struct Hold {
+  int agree = 0;
+  double share = 0;  // of them, that agree
+};
+Hold HoldOf(const ThinCloud& cloud, const std::vector<bool>& agrees, const Eigen::Vector2f& way) {
+  int all = 0;
+  Hold hold;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (std::abs(cloud.normals[i].head<2>().dot(way)) < kAcross) continue;
+    ++all;
+    hold.agree += agrees[i] ? 1 : 0;
+  }
+  hold.share = static_cast<double>(hold.agree) / std::max(all, 1);
+  return hold;
 }
 
 }  // namespace
@@ -113,38 +179,34 @@ ThinCloud ThinOut(const CloudPoints& points, double leaf, double range) {
 std::optional<Registration> Register(const ThinCloud& old_cloud, const ThinCloud& new_cloud,
                                      const Pose3& guess, const RegistrationSettings& settings) {
   if (old_cloud.points.size() < kFew || new_cloud.points.size() < kFew) return std::nullopt;
-  const Points::Ptr target = ToPcl(old_cloud.points), source = ToPcl(new_cloud.points);
-  pcl::IterativeClosestPoint<Point, Point> icp;
-  icp.setInputTarget(target);
-  icp.setInputSource(source);
-  icp.setTransformationEstimation(pcl::registration::TransformationEstimation2D<Point, Point>::Ptr(
-      new pcl::registration::TransformationEstimation2D<Point, Point>));
-  icp.setTransformationEpsilon(1e-6);
-  Eigen::Matrix4f found = Matrix(guess);
-  for (const Pass& pass : kPasses) {
-    Points moved;
-    icp.setMaxCorrespondenceDistance(pass.pairs);
-    icp.setMaximumIterations(pass.steps);
-    icp.align(moved, found);
-    if (!icp.getFinalTransformation().allFinite()) return std::nullopt;
-    found = icp.getFinalTransformation();
-  }
+  Target old_target(old_cloud), new_target(new_cloud);
   Registration registration;
-  registration.relative.translation() = found.topRightCorner<3, 1>().cast<double>();
-  registration.relative.linear() =
-      Eigen::AngleAxisd(std::atan2(found(1, 0), found(0, 0)), Eigen::Vector3d::UnitZ())
-          .toRotationMatrix();
-  pcl::KdTreeFLANN<Point> new_tree;
-  new_tree.setInputCloud(source);
-  pcl::KdTreeFLANN<Point> old_tree;
-  old_tree.setInputCloud(target);
-  const Agreement of_new = AgreeWith(old_tree, new_cloud, registration.relative, settings.near);
-  const Agreement of_old =
-      AgreeWith(new_tree, old_cloud, registration.relative.inverse(), settings.near);
+  registration.relative = guess;
+  for (const Pass& pass : kPasses) {
+    for (int i = 0; i < pass.steps; ++i) {
+      const auto moved = StepOf(old_target, new_cloud, registration.relative, pass);
+      if (!moved) return std::nullopt;
+      const Pose3 step = registration.relative.inverse() * *moved;
+      registration.relative = *moved;
+      if (step.translation().norm() < kStill && Eigen::AngleAxisd(step.linear()).angle() < kStill) {
+        break;
+      }
+    }
+  }
+  const Pose3 back = registration.relative.inverse();
+  const Agreement of_new = AgreeWith(old_target, new_cloud, registration.relative, settings.near);
+  const Agreement of_old = AgreeWith(new_target, old_cloud, back, settings.near);
   registration.overlap = std::min(of_new.overlap, of_old.overlap);
   const auto agree = static_cast<double>(of_new.agree + of_old.agree);
   registration.residual = std::sqrt((of_new.squares + of_old.squares) / std::max(agree, 1.0));
-  registration.hold = HoldOf(of_new.normals);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(of_new.normals);
+  const Eigen::Vector2f weak = solver.eigenvectors().col(0).cast<float>();
+  const Eigen::Vector3f there =
+      registration.relative.linear().cast<float>() * Eigen::Vector3f(weak.x(), weak.y(), 0);
+  const Hold in_new = HoldOf(new_cloud, of_new.agrees, weak);
+  const Hold in_old = HoldOf(old_cloud, of_old.agrees, there.head<2>());
+  registration.hold = std::min(in_new.agree, in_old.agree);
+  registration.hold_share = std::min(in_new.share, in_old.share);
   return registration;
 }
 
@@ -152,6 +214,7 @@ bool IsSure(const Registration& registration, const RegistrationSettings& settin
   return registration.overlap >= settings.least_overlap &&
          registration.residual <= settings.most_residual &&
          registration.hold >= settings.least_hold &&
+         registration.hold_share >= settings.least_hold_share &&
          registration.relative.translation().norm() <= settings.most_way;
 }
 
