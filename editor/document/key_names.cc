@@ -23,6 +23,26 @@ bool IsInCapitals(std::string_view word) {
   });
 }
 
+// Where what stands in a value is written, from one place to the next.
+class RawPlace {
+ public:
+  RawPlace(const Document& document, const Attribute& attribute)
+      : begin_(attribute.value_offset), raw_(document.RawValue(attribute)) {}
+
+  std::uint32_t Of(std::size_t decoded) {
+    if (decoded < decoded_) raw_at_ = decoded_ = 0;
+    raw_at_ += RawOffset(raw_.substr(raw_at_), decoded - decoded_);
+    decoded_ = decoded;
+    return begin_ + static_cast<std::uint32_t>(raw_at_);
+  }
+
+ private:
+  const std::uint32_t begin_;
+  const std::string_view raw_;
+  std::size_t raw_at_ = 0;
+  std::size_t decoded_ = 0;
+};
+
 class Collector {
  public:
   Collector(const Document& document, const NodeModels& models)
@@ -80,14 +100,15 @@ class Collector {
   }
 
   void AddScript(ElementIndex element, const Attribute& attribute) {
+    RawPlace place(document_, attribute);
     for (const ScriptWord& word : WordsOf(attribute.value)) {
       KeyName name;
       name.form = KeyForm::kScript;
       name.writes = word.writes;
       name.reads = word.reads;
       Add(std::move(name), word.text, element, attribute);
-      names_.back().begin = document_.OffsetInValue(attribute, word.offset);
-      names_.back().end = document_.OffsetInValue(attribute, word.offset + word.text.size());
+      names_.back().begin = place.Of(word.offset);
+      names_.back().end = place.Of(word.offset + word.text.size());
       if (names_.back().writes) written_.insert(names_.back().key);
     }
   }
@@ -112,9 +133,12 @@ class Collector {
 }  // namespace
 
 ElementIndex EndOfBranch(const Document& document, ElementIndex element) {
-  ElementIndex end = element + 1;
-  while (end < document.elements().size() && LiesIn(document, end, element)) ++end;
-  return end;
+  const std::vector<Element>& all = document.elements();  // in the order of the text
+  const Element& branch = document.element(element);
+  const auto behind = std::lower_bound(
+      all.begin() + static_cast<std::ptrdiff_t>(element) + 1, all.end(), branch.end,
+      [](const Element& one, std::uint32_t end) { return one.offset < end; });
+  return static_cast<ElementIndex>(behind - all.begin());
 }
 
 std::vector<KeyName> KeyNamesIn(const Document& document, const NodeModels& models,

@@ -4,7 +4,10 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "bt_core/model/keys.h"
@@ -49,27 +52,40 @@ class Finder {
     std::vector<InterfacePort> ports;
     const std::vector<ElementIn> trees = TreesCalled(files_, id);
     if (trees.empty()) return ports;
+    std::set<std::string_view> declared;
     const KnownModel* model = models_.Find(id);
     if (model && model->category == NodeCategory::kSubTree) {
-      for (const PortModel& port : model->ports) ports.push_back({port, true});
+      for (const PortModel& port : model->ports) {
+        ports.push_back({port, true});
+        declared.insert(port.name);
+      }
     }
     const CallersOfTree callers = CallersOf(files_, id);
     for (const KeyUsage& usage : UsagesIn(files_[trees[0].file], trees[0].element)) {
-      const bool declared = std::any_of(ports.begin(), ports.end(), [&](const InterfacePort& one) {
-        return one.model.name == usage.key;
-      });
       const auto direction = DirectionOf(usage, callers.ports.count(usage.key) > 0);
-      if (declared || !direction) continue;
+      if (!direction || declared.count(usage.key) > 0) continue;
       ports.push_back({{usage.key, *direction, usage.type, "", std::nullopt}, false});
     }
     return ports;
   }
 
+  // By key, in the order of the tree.
+  struct Usages {
+    std::vector<KeyUsage> list;
+    std::unordered_map<std::string, std::size_t> places;
+
+    KeyUsage& Of(const std::string& key) {
+      const auto [place, is_new] = places.try_emplace(key, list.size());
+      if (is_new) list.emplace_back().key = key;
+      return list[place->second];
+    }
+  };
+
   std::vector<KeyUsage> UsagesIn(const Document& document, ElementIndex tree) {
-    std::vector<KeyUsage> usages;
+    Usages usages;
     for (const KeyName& name : KeyNamesIn(document, models_, tree)) {
       if (name.is_global || IsPrivateKey(name.key)) continue;
-      KeyUsage& usage = Get(usages, name.key);
+      KeyUsage& usage = usages.Of(name.key);
       const std::string_view type = TypeOf(document, name.element);
       if (name.guessed) {
         ++usage.guesses;
@@ -82,16 +98,7 @@ class Finder {
       }
     }
     AddAutoremapped(document, tree, usages);
-    return usages;
-  }
-
-  static KeyUsage& Get(std::vector<KeyUsage>& usages, const std::string& key) {
-    const auto known = std::find_if(usages.begin(), usages.end(),
-                                    [&](const KeyUsage& one) { return one.key == key; });
-    if (known != usages.end()) return *known;
-    usages.push_back({});
-    usages.back().key = key;
-    return usages.back();
+    return std::move(usages.list);
   }
 
   static void Add(KeyUsage& usage, bool reads, bool writes, const std::string& type) {
@@ -119,13 +126,14 @@ class Finder {
     }
   }
 
-  void AddAutoremapped(const Document& document, ElementIndex tree, std::vector<KeyUsage>& usages) {
-    for (ElementIndex i = tree; i < EndOfBranch(document, tree); ++i) {
+  void AddAutoremapped(const Document& document, ElementIndex tree, Usages& usages) {
+    const ElementIndex end = EndOfBranch(document, tree);
+    for (ElementIndex i = tree; i < end; ++i) {
       const Element& element = document.element(i);
       if (element.tag != "SubTree" || !IsAutoremapped(document, element)) continue;
       for (const InterfacePort& port : Of(TypeOf(document, i))) {
         if (document.FindAttribute(element, port.model.name)) continue;
-        Add(Get(usages, port.model.name), port.model);
+        Add(usages.Of(port.model.name), port.model);
       }
     }
   }

@@ -375,6 +375,14 @@ class Editor(FileAttack):
             os.mkfifo(self.path(name))
             self.edit(name, codes=(0, 1, 2))
 
+    def test_long_scripts_and_wide_trees_are_opened_soon(self):
+        for content in ('<Script code="%s"/>' % ("x := 1 &lt; 2;" * 100_000),
+                        "<Sequence>%s</Sequence>" % ("<AlwaysSuccess/>" * 100_000),
+                        "<Sequence>%s</Sequence>" % "".join(
+                            '<Script code="k%d:=1"/>' % i for i in range(60_000))):
+            self.write("w.xml", TREE % content)
+            self.edit("w.xml", codes=(0, 1, 2))
+
     def test_lines_without_end_take_little(self):
         self.write("l.xml", '<root BTCPP_format="4">' + "\n" * 20_000_000 + "</root>")
         self.edit("l.xml", codes=(0, 1, 2))
