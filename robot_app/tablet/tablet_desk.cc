@@ -12,6 +12,7 @@ namespace coppice::robot::tablet {
 namespace {
 
 using knowledge::Answer;
+using knowledge::Request;
 using knowledge::TouchButton;
 using knowledge::TouchScreen;
 
@@ -50,9 +51,11 @@ std::string HexOf(const std::vector<std::uint8_t>& bytes) {
 }  // namespace
 
 const TabletDesk::Deed TabletDesk::kDeeds[] = {
-    {"screen", &TabletDesk::Screen}, {"press", &TabletDesk::Press},     {"ask", &TabletDesk::Ask},
-    {"guide", &TabletDesk::Guide},   {"stop", &TabletDesk::Stop},       {"talk", &TabletDesk::Talk},
-    {"leave", &TabletDesk::Leave},   {"touched", &TabletDesk::Touched}, {"map", &TabletDesk::Map},
+    {"screen", &TabletDesk::Screen},   {"press", &TabletDesk::Press},
+    {"ask", &TabletDesk::Ask},         {"choose", &TabletDesk::Choose},
+    {"guide", &TabletDesk::Guide},     {"stop", &TabletDesk::Stop},
+    {"talk", &TabletDesk::Talk},       {"leave", &TabletDesk::Leave},
+    {"touched", &TabletDesk::Touched}, {"map", &TabletDesk::Map},
     {"state", &TabletDesk::State}};
 
 TabletDesk::TabletDesk(std::unique_ptr<knowledge::Dialogue> dialogue, TopologicalMap map,
@@ -115,9 +118,19 @@ nlohmann::json TabletDesk::Ask(const Json& call) {
   return Told(dialogue_->Hear(TextOf(call, "text"), clock_()));
 }
 
-nlohmann::json TabletDesk::ToJson(const Answer& answer) const {
+nlohmann::json TabletDesk::Choose(const Json& call) {
+  const Request chosen = choices_.at(call.at("number").get<std::size_t>()).request;
+  return Told(dialogue_->Press(chosen, clock_()));
+}
+
+// The choices are kept: the page tells which one was pressed.
+nlohmann::json TabletDesk::ToJson(const Answer& answer) {
+  choices_ = answer.choices;
+  Json labels = Json::array();
+  for (const knowledge::Choice& choice : choices_) labels.push_back(choice.label);
   return {{"text", answer.text},
           {"mood", knowledge::Word(answer.mood)},
+          {"choices", labels},
           {"place", answer.place},
           {"way", WayTo(answer.place)}};
 }
@@ -154,6 +167,7 @@ nlohmann::json TabletDesk::Touched(const Json&) {
 
 nlohmann::json TabletDesk::Leave(const Json&) {
   dialogue_->Forget();
+  choices_.clear();
   links_.Talk(false);
   return Json::object();
 }

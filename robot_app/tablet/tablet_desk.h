@@ -4,8 +4,11 @@
 // A call is a JSON object with "do" and "language" ("en", "de"); the reply is one, too:
 //
 //   {"do": "screen", "path": ["people"]}      {"buttons": [{"step", "label"}], "answers": false}
-//   {"do": "press", "path": ["people", "ada"]} {"text", "mood", "place", "way"}
+//   {"do": "press", "path": ["people", "ada"]} {"text", "mood", "choices", "place",
+//                                              "way"}
 //   {"do": "ask", "text": "wher is weber"}    the same: misspelt and half names are found
+//   {"do": "choose", "number": 1}             the same: one of the "choices" of the last answer,
+//                                             which asked back; 0 is the first
 //   {"do": "guide", "place": "office_101"}    {}: the robot is asked to lead there
 //   {"do": "stop"}                            {}: and no longer
 //   {"do": "talk", "on": true}                {}: while the button is pressed, again and again
@@ -86,6 +89,7 @@ class TabletDesk {
   Json Screen(const Json& call);
   Json Press(const Json& call);
   Json Ask(const Json& call);
+  Json Choose(const Json& call);
   Json Guide(const Json& call);
   Json Stop(const Json& call);
   Json Talk(const Json& call);
@@ -93,7 +97,7 @@ class TabletDesk {
   Json Leave(const Json& call);
   Json Map(const Json& call);
   Json State(const Json& call);
-  Json ToJson(const knowledge::Answer& answer) const;
+  Json ToJson(const knowledge::Answer& answer);
   Json Told(const knowledge::Answer& answer);
   Json WayTo(const std::string& place) const;
   std::string LanguageCode() const { return knowledge::Code(dialogue_->language()); }
@@ -105,6 +109,7 @@ class TabletDesk {
   const std::function<WallTime()> clock_;
   OccupancyGrid grid_;
   TabletView view_;
+  std::vector<knowledge::Choice> choices_;  // of the answer that the page has told last
   bool was_asked_ = false;
 };
 

@@ -32,7 +32,8 @@ namespace {
 constexpr double kPosePeriod = 0.25;        // wall time [s]
 constexpr int kMostCells = 4'000'000;       // of a map that a page can draw
 constexpr std::size_t kLongestText = 2000;  // bytes
-constexpr double kOpen = 10;                // after its last question a page counts as open [s]
+constexpr std::size_t kMostChoices = 3, kMostSlots = 8;
+constexpr double kOpen = 10;  // after its last question a page counts as open [s]
 
 const Command& TabletCommand() {
   static const Command command{
@@ -108,6 +109,25 @@ class RosLinks : public TabletLinks {
   ServiceCaller calls_;
 };
 
+// Those that mean something here.
+std::vector<knowledge::Choice> ChoicesOf(const coppice_msgs::Answer& answer) {
+  std::vector<knowledge::Choice> choices;
+  for (const coppice_msgs::Choice& told : answer.choices) {
+    const auto intent = knowledge::IntentOf(told.intent);
+    if (!intent || choices.size() == kMostChoices) continue;
+    knowledge::Choice& choice = choices.emplace_back();
+    choice.label = told.label.substr(0, kLongestText);
+    choice.request.intent = *intent;
+    for (const std::string& slot : told.slots) {
+      const std::size_t equals = std::min(slot.find('='), slot.size());
+      const auto kind = knowledge::KindOf(slot.substr(0, equals));
+      if (!kind || choice.request.slots.size() == kMostSlots) continue;
+      choice.request.slots.push_back({*kind, slot.substr(std::min(equals + 1, slot.size()))});
+    }
+  }
+  return choices;
+}
+
 class TabletNode {
  public:
   TabletNode(TabletDesk& desk, ros::NodeHandle& node) : desk_(desk) {
@@ -140,6 +160,7 @@ class TabletNode {
       view.said = {static_cast<knowledge::AnswerMood>(std::min<int>(answer.mood, 2)),
                    answer.text.substr(0, kLongestText), answer.place.substr(0, kLongestText),
                    answer.guides != 0};
+      view.said.choices = ChoicesOf(answer);
       ++view.said_number;
       if (answer.guides) view.outcome.clear();
     });

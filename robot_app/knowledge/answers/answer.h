@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot_app/knowledge/answers/answer_texts.h"
 #include "robot_app/knowledge/store/queries.h"
@@ -21,12 +22,19 @@ enum class AnswerMood : std::uint8_t {
 /// "answered", "asking", "unknown".
 const char* Word(AnswerMood mood);
 
+/// Of a question that the robot has asked back: what is said of it, and what it means.
+struct Choice {
+  std::string label;  ///< "Dr. Paul Weber", "Where the library is", "Yes"
+  Request request;
+};
+
 struct Answer {
   AnswerMood mood = AnswerMood::kAnswered;
   std::string text;                     ///< what is said and shown
   std::string place;                    ///< to be shown on the map; may be empty
   bool guides = false;                  ///< and to be driven to, with the person behind
   std::optional<Request> request = {};  ///< what was understood; nothing: it is asked or unknown
+  std::vector<Choice> choices = {};     ///< of kAsking: for buttons; empty if anything may follow
 };
 
 /// What an answer depends on beside the knowledge.

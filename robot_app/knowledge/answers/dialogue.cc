@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
+#include "robot_app/knowledge/answers/request_text.h"
 #include "robot_app/knowledge/store/notes.h"
 
 namespace coppice::robot::knowledge {
 namespace {
-
-constexpr double kSure = 0.72;  // of a name in an answer to "which one?"
 
 // The kinds that fill what an intent needs.
 std::vector<Kind> NeedsOf(const IntentTable& table, Intent intent) {
@@ -16,10 +16,6 @@ std::vector<Kind> NeedsOf(const IntentTable& table, Intent intent) {
     if (row.intent == intent) return row.needs;
   }
   return {};
-}
-
-bool IsSame(const Slot& slot, const Candidate& candidate) {
-  return slot.kind == candidate.kind && slot.subject == candidate.subject;
 }
 
 }  // namespace
@@ -74,26 +70,33 @@ Answer Dialogue::Remembered(Answer answer) {
 }
 
 Answer Dialogue::Hear(std::string_view text, WallTime now) {
+  return Hear(std::vector<Alternative>{{std::string(text), 1}}, now).answer;
+}
+
+HeardAnswer Dialogue::Hear(const std::vector<Alternative>& alternatives, WallTime now) {
   try {
     Refresh();
-    if (question_) {
-      if (auto answer = AnswerQuestion(text, now)) return Remembered(*std::move(answer));
+    if (question_ && question_->is_open(now)) {
+      if (auto heard = AnswerQuestion(alternatives, now)) return *std::move(heard);
     }
     question_.reset();
-    const Understanding heard = understander().Understand(text);
-    if (heard.request.intent == Intent::kRepeat && heard.verdict == Verdict::kUnderstood && last_) {
-      return *last_;
-    }
-    return Remembered(AnswerUnderstanding(heard, text, now));
+    return AnswerNew(LikelyMeanings(understander(), alternatives), now);
   } catch (const std::runtime_error&) {
-    return {AnswerMood::kUnknown, texts().Fill("not_now"), {}, false};
+    return {{AnswerMood::kUnknown, texts().Fill("not_now"), {}, false}, "", 0};
   }
 }
 
 Answer Dialogue::Press(const Request& request, WallTime now) {
   try {
-    question_.reset();
+    const std::optional<OpenQuestion> question = std::exchange(question_, std::nullopt);
     if (request.intent == Intent::kRepeat && last_) return *last_;
+    if (question && request.intent == Intent::kNo) {
+      return Remembered(Do({Intent::kCancel, {}}, now));
+    }
+    const bool is_agreed = question && request.intent == Intent::kYes;
+    if (is_agreed && question->choices().size() == 1) {
+      return Remembered(Do(question->choices().front().request, now));
+    }
     return Remembered(Do(request, now));
   } catch (const std::runtime_error&) {
     return {AnswerMood::kUnknown, texts().Fill("not_now"), {}, false};
@@ -109,48 +112,36 @@ TouchScreen Dialogue::Screen(const std::vector<std::string>& path) {
   }
 }
 
-// Nothing if the text is no answer to it, but something new.
-std::optional<Answer> Dialogue::AnswerQuestion(std::string_view text, WallTime now) {
-  const Question question = *question_;
-  const Understanding heard = understander().Understand(text);
-  const bool is_new = heard.verdict == Verdict::kUnderstood && heard.request.slots.empty();
-  if (is_new && (heard.request.intent == Intent::kNo || heard.request.intent == Intent::kCancel)) {
+// Nothing if it is no answer, but something new.
+std::optional<HeardAnswer> Dialogue::AnswerQuestion(const std::vector<Alternative>& alternatives,
+                                                    WallTime now) {
+  const auto reply =
+      question_->AnsweredBy(alternatives, understander(), In(language_, files_.words));
+  if (reply) {
     question_.reset();
-    return Do({Intent::kCancel, {}}, now);
+    return HeardAnswer{Remembered(Do(reply->request, now)), reply->text, reply->share};
   }
-  std::optional<Slot> chosen = Chosen(text);
-  if (is_new && heard.request.intent == Intent::kYes && question.choices.size() == 1) {
-    chosen = question.choices.front();
-  }
-  if (!chosen) return std::nullopt;
-  question_.reset();
-  Request request = question.request;
-  request.slots.insert(request.slots.begin(), *chosen);
-  return Do(request, now);
+  if (question_->choices().size() < 2 || !last_) return std::nullopt;
+  const std::vector<Meaning> meanings = LikelyMeanings(understander(), alternatives);
+  const bool is_yes = !meanings.empty() && meanings.front().share >= least_sure_ &&
+                      meanings.front().understanding.request.intent == Intent::kYes;
+  if (!is_yes) return std::nullopt;
+  return HeardAnswer{*last_, meanings.front().text, meanings.front().share};  // but which of them?
 }
 
-// One of the choices if it fits better than the others, by name or by its number.
-std::optional<Slot> Dialogue::Chosen(std::string_view text) const {
-  const Question& question = *question_;
-  const LanguageWords& words = In(language_, files_.words);
-  if (!question.choices.empty()) {
-    for (const std::string& word : SplitWords(text)) {
-      const auto ordinal = words.ordinals.find(word);
-      if (ordinal == words.ordinals.end()) continue;
-      if (ordinal->second < question.choices.size()) return question.choices[ordinal->second];
-    }
+HeardAnswer Dialogue::AnswerNew(const std::vector<Meaning>& meanings, WallTime now) {
+  if (meanings.empty()) return {Remembered(NotHeard()), "", 0};
+  const Meaning& best = meanings.front();
+  if (best.share < least_sure_) {
+    const std::vector<Request> asked = WorthAsking(meanings, least_sure_);
+    if (asked.empty()) return {Remembered(NotHeard()), "", best.share};
+    return {Remembered(AskWhichRequest(asked, now)), best.text, best.share};
   }
-  std::vector<Candidate> found = understander().FindNames(text, question.kinds);
-  const auto end = std::remove_if(found.begin(), found.end(), [&](const Candidate& candidate) {
-    if (question.choices.empty()) return candidate.fit < kSure;
-    return std::none_of(question.choices.begin(), question.choices.end(),
-                        [&](const Slot& choice) { return IsSame(choice, candidate); });
-  });
-  found.erase(end, found.end());
-  if (found.empty() || (found.size() > 1 && found[1].value >= 0.93 * found[0].value)) {
-    return std::nullopt;
+  const Understanding& heard = best.understanding;
+  if (heard.request.intent == Intent::kRepeat && heard.verdict == Verdict::kUnderstood && last_) {
+    return {*last_, best.text, best.share};
   }
-  return Slot{found[0].kind, found[0].subject};
+  return {Remembered(AnswerUnderstanding(heard, best.text, now)), best.text, best.share};
 }
 
 Answer Dialogue::AnswerUnderstanding(const Understanding& heard, std::string_view text,
@@ -159,7 +150,7 @@ Answer Dialogue::AnswerUnderstanding(const Understanding& heard, std::string_vie
     case Verdict::kUnderstood:
       return Do(heard.request, now);
     case Verdict::kAmbiguous:
-      return AskBack(heard);
+      return AskWhichName(heard, now);
     case Verdict::kMissing:
       return AnswerMissing(heard, now);
     case Verdict::kUnknown:
@@ -185,18 +176,63 @@ Answer Dialogue::Refuse(const Understanding& heard, std::string_view text, WallT
   return {AnswerMood::kUnknown, sentence, {}, false};
 }
 
-Answer Dialogue::AskBack(const Understanding& heard) {
+Answer Dialogue::NotHeard() const {
+  return {AnswerMood::kUnknown, texts().Fill("not_heard"), {}, false};
+}
+
+std::vector<Choice> Dialogue::ChoicesByName(const std::vector<Request>& requests) const {
+  std::vector<Choice> choices;
+  for (const Request& request : requests) {
+    const Slot& slot = request.slots.front();
+    choices.push_back({NameOf(database_, slot.kind, slot.subject, language_), request});
+  }
+  return choices;
+}
+
+// "Did you mean Anna Weber or Paul Weber?"
+Answer Dialogue::AskWhichName(const Understanding& heard, WallTime now) {
+  return Ask("did_you_mean_", ChoicesByName(RequestsOf(heard)), now);
+}
+
+// "Did you ask where the library is, or when the library is open?"
+Answer Dialogue::AskWhichRequest(const std::vector<Request>& requests, WallTime now) {
+  if (DifferByName(requests)) return Ask("did_you_mean_", ChoicesByName(requests), now);
+  std::vector<Choice> choices;
+  for (const Request& request : requests) {
+    choices.push_back({RequestText(database_, texts(), request, language_, Today(now)), request});
+  }
+  return Ask("asked_", std::move(choices), now);
+}
+
+// A single one is agreed to or not.
+Answer Dialogue::Ask(const std::string& key, std::vector<Choice> choices, WallTime now) {
   static constexpr const char* kPlaceholders[] = {"first", "second", "third"};
   AnswerTexts::Values values;
-  std::vector<Kind> kinds;
-  for (std::size_t i = 0; i < heard.choices.size(); ++i) {
-    const Slot& choice = heard.choices[i];
-    values[kPlaceholders[i]] = NameOf(database_, choice.kind, choice.subject, language_);
-    kinds.push_back(choice.kind);
+  for (std::size_t i = 0; i < choices.size(); ++i) values[kPlaceholders[i]] = choices[i].label;
+  Answer answer{
+      AnswerMood::kAsking, texts().Fill(key + std::to_string(choices.size()), values), {}, false};
+  question_.emplace(choices, now);
+  for (Choice& choice : choices) choice.label = Capitalized(choice.label);
+  if (choices.size() == 1) {
+    choices.front().label = texts().Word("button_yes");
+    choices.push_back({texts().Word("button_no"), {Intent::kCancel, {}}});
   }
-  question_ = Question{heard.request, heard.choices, kinds};
-  const std::string key = "did_you_mean_" + std::to_string(heard.choices.size());
-  return {AnswerMood::kAsking, texts().Fill(key, values), {}, false};
+  answer.choices = std::move(choices);
+  return answer;
+}
+
+std::vector<std::string> Dialogue::ExpectedNames(WallTime now) {
+  std::vector<std::string> expected;
+  if (!question_ || !question_->is_open(now)) return expected;
+  const std::vector<Name> names = Names(database_);
+  for (const Choice& choice : question_->choices()) {
+    for (const Name& name : names) {
+      const bool is_named = name.language == language_ && !choice.request.slots.empty() &&
+                            choice.request.slots.front() == Slot{name.kind, name.subject};
+      if (is_named) expected.push_back(name.text);
+    }
+  }
+  return expected;
 }
 
 // "Take me there": the place of which the robot has just spoken.
@@ -208,7 +244,7 @@ Answer Dialogue::AnswerMissing(const Understanding& heard, WallTime now) {
     request.slots.push_back({Kind::kPlace, last_->place});
     return Do(request, now);
   }
-  question_ = Question{heard.request, {}, kinds};
+  question_.emplace(heard.request, kinds, now);
   const char* const key = kinds.front() == Kind::kPerson     ? "which_person"
                           : kinds.front() == Kind::kCategory ? "which_category"
                                                              : "which_place";

@@ -5,6 +5,9 @@
 //   dialogue->Hear("where is the office of Weber", now).text   // Did you mean ... or ...?
 //   dialogue->Hear("Anna", now).text                           // Anna Weber is in office 101 ...
 //
+// What was heard uncertainly is acted on only if it is sure enough what was meant; else the robot
+// asks back, or says that it has not understood.
+//
 // What cannot be answered is noted for the operator (store/notes.h). When an import or the operator
 // has changed the database, the next question is understood with the new names. For one thread.
 #ifndef COPPICE_ROBOT_APP_KNOWLEDGE_ANSWERS_DIALOGUE_H_
@@ -18,6 +21,7 @@
 
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/knowledge/answers/answer.h"
+#include "robot_app/knowledge/answers/open_question.h"
 #include "robot_app/knowledge/answers/touch_menu.h"
 
 namespace coppice::robot::knowledge {
@@ -31,6 +35,13 @@ struct LanguageFiles {
   static LanguageFiles Load(const std::string& folder, Diagnostics& diagnostics);
 };
 
+/// An answer to what was heard uncertainly.
+struct HeardAnswer {
+  Answer answer;
+  std::string text;  ///< that is answered; empty: it was not understood
+  double share = 0;  ///< the chance that it was meant, 0..1
+};
+
 class Dialogue {
  public:
   /// Null, with the reasons, if the database or a file cannot be read.
@@ -39,7 +50,9 @@ class Dialogue {
 
   /// Answers what somebody has said or typed. A damaged database is an answer, too: not now.
   Answer Hear(std::string_view text, WallTime now);
-  /// Answers what was pressed. An open question is forgotten.
+  /// Answers one of the texts that somebody may have said.
+  HeardAnswer Hear(const std::vector<Alternative>& alternatives, WallTime now);
+  /// Answers what was pressed. An open question is forgotten, unless yes or no answers it.
   Answer Press(const Request& request, WallTime now);
   /// The buttons behind a path of touch_menu.h.
   TouchScreen Screen(const std::vector<std::string>& path);
@@ -48,29 +61,34 @@ class Dialogue {
 
   Language language() const { return language_; }
   void set_language(Language language) { language_ = language; }
+  /// A share below which it asks back (likely_meanings.h).
+  void set_least_sure(double share) { least_sure_ = share; }
+  /// While a question is open: the names of its choices, for who listens for the answer. Nothing if
+  /// none is, or if anything may be answered.
+  std::vector<std::string> ExpectedNames(WallTime now);
+  /// Whoever else has answered: no question is open any more.
+  void CloseQuestion() { question_.reset(); }
   /// From where the robot is; without it as the crow flies from its home.
   void set_way(WayFromHere way) { way_ = std::move(way); }
 
  private:
-  /// What the robot has asked back.
-  struct Question {
-    Request request;            // without the slot in question
-    std::vector<Slot> choices;  // empty: any of the kinds
-    std::vector<Kind> kinds;
-  };
-
   Dialogue(Database database, LanguageFiles files);
   void Refresh();
   const Understander& understander() const { return *In(language_, understanders_); }
   const AnswerTexts& texts() const { return In(language_, files_.texts); }
   Day Today(WallTime now) const;
 
-  std::optional<Answer> AnswerQuestion(std::string_view text, WallTime now);
-  std::optional<Slot> Chosen(std::string_view text) const;
+  std::optional<HeardAnswer> AnswerQuestion(const std::vector<Alternative>& alternatives,
+                                            WallTime now);
+  HeardAnswer AnswerNew(const std::vector<Meaning>& meanings, WallTime now);
   Answer AnswerUnderstanding(const Understanding& heard, std::string_view text, WallTime now);
   Answer Do(const Request& request, WallTime now);
   Answer Refuse(const Understanding& heard, std::string_view text, WallTime now);
-  Answer AskBack(const Understanding& heard);
+  Answer AskWhichName(const Understanding& heard, WallTime now);
+  Answer AskWhichRequest(const std::vector<Request>& requests, WallTime now);
+  std::vector<Choice> ChoicesByName(const std::vector<Request>& requests) const;
+  Answer NotHeard() const;
+  Answer Ask(const std::string& key, std::vector<Choice> choices, WallTime now);
   Answer AnswerMissing(const Understanding& heard, WallTime now);
   Answer Remembered(Answer answer);
 
@@ -80,7 +98,8 @@ class Dialogue {
   std::optional<std::int64_t> version_;  // of the names in the understanders
   Language language_ = Language::kEnglish;
   WayFromHere way_;
-  std::optional<Question> question_;
+  double least_sure_ = kSureEnough;
+  std::optional<OpenQuestion> question_;
   std::optional<Answer> last_;
 };
 

@@ -23,6 +23,7 @@ LanguageWords LoadLanguageWords(const std::string& folder, Language language,
   words.fillers = ReadSet(file, "fillers");
   words.from = ReadSet(file, "from");
   words.of = ReadSet(file, "of");
+  words.titles = ReadSet(file, "titles");
   for (const auto& [number, node] : file.Pairs("numbers")) {
     for (const LocatedText& word : file.TextsOf(node)) {
       words.numbers[Folded(word.text)] = number.text;

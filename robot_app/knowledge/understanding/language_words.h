@@ -17,6 +17,7 @@ struct LanguageWords {
   std::set<std::string> fillers;                    ///< say nothing: articles, courtesies
   std::set<std::string> from;                       ///< before where something begins
   std::set<std::string> of;                         ///< before whom or what something belongs to
+  std::set<std::string> titles;                     ///< before a family name
   std::map<std::string, std::string> numbers;       ///< "four" -> "4", 0 to 12
   std::map<std::string, std::string> contractions;  ///< "whats" -> "what is"
   std::vector<std::string> line_patterns;           ///< "line {}": how a line of traffic is called

@@ -24,6 +24,10 @@ namespace coppice::robot::knowledge {
 struct Slot {
   Kind kind = Kind::kPlace;
   std::string subject;
+
+  bool operator==(const Slot& other) const {
+    return kind == other.kind && subject == other.subject;
+  }
 };
 
 /// What somebody wants, by voice or by touch.
@@ -33,6 +37,10 @@ struct Request {
 
   /// Null if it is not filled.
   const Slot* Find(Kind kind) const;
+
+  bool operator==(const Request& other) const {
+    return intent == other.intent && slots == other.slots;
+  }
 };
 
 enum class Verdict : std::uint8_t {

@@ -1,6 +1,7 @@
 #include "robot_app/speech/ear/common_words.h"
 
 #include <pocketsphinx.h>
+#include <sphinxbase/err.h>
 
 #include <algorithm>
 #include <memory>
@@ -23,6 +24,7 @@ struct FreeModel {
 
 Expected<std::vector<std::pair<std::string, double>>> CommonWords(const std::string& path,
                                                                   std::size_t most) {
+  err_set_logfp(nullptr);
   const std::unique_ptr<logmath_t, FreeLogs> logs(logmath_init(kLogBase, 0, 1));
   const std::unique_ptr<ngram_model_t, FreeModel> model(
       ngram_model_read(nullptr, path.c_str(), NGRAM_AUTO, logs.get()));

@@ -9,7 +9,6 @@ namespace {
 using knowledge::Language;
 
 constexpr std::size_t kMostTasks = 3;
-constexpr double kServiceConfidence = 0.9;  // services tell none
 
 }  // namespace
 
@@ -28,11 +27,12 @@ Listener::~Listener() {
   thread_.join();
 }
 
-void Listener::Listen(Sound sound, Language language, std::string who) {
+void Listener::Listen(Sound sound, Language language, std::string who,
+                      std::vector<std::string> expected) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (tasks_.size() >= kMostTasks) tasks_.pop_front();
-    tasks_.push_back({std::move(sound), {{}, language, std::move(who)}});
+    tasks_.push_back({std::move(sound), {{}, language, std::move(who)}, std::move(expected)});
   }
   changed_.notify_all();
 }
@@ -46,27 +46,33 @@ void Listener::Run() {
     Task task = std::move(tasks_.front());
     tasks_.pop_front();
     lock.unlock();
-    task.heard.recognition = Recognize(task.sound, task.heard.language);
+    task.heard.alternatives = Recognize(task);
     on_heard_(task.heard);
     lock.lock();
   }
 }
 
-Recognition Listener::Recognize(const Sound& sound, Language language) {
+std::vector<knowledge::Alternative> Listener::Recognize(const Task& task) {
+  const Language language = task.heard.language;
   if (!settings_.service.url.empty() && pause_.may_be_asked()) {
-    const auto text = Transcribe(settings_.service, sound, Code(language));
-    if (text) return {*text, kServiceConfidence};
+    const auto text = Transcribe(settings_.service, task.sound, Code(language));
+    if (text) return {{*text, 1}};
     pause_.Failed();
     on_problem_("the ear of the service: " + text.problem());
   }
   // Nobody has an acoustic model of another language in Debian.
-  return language == Language::kEnglish ? RecognizeOffline(sound) : Recognition{};
+  if (language != Language::kEnglish) return {};
+  return RecognizeOffline(task);
 }
 
-Recognition Listener::RecognizeOffline(const Sound& sound) {
+// Who was asked something may also ask something new.
+std::vector<knowledge::Alternative> Listener::RecognizeOffline(const Task& task) {
   if (!Prepare()) return {};
-  const auto likely = LikeliestMeaning(*understander_, recognizer_->Recognize(sound));
-  return {likely.text, likely.share};
+  if (!task.expected.empty()) {
+    auto replies = recognizer_->RecognizeReply(task.sound, task.expected);
+    if (!replies.empty()) return replies;
+  }
+  return recognizer_->Recognize(task.sound);
 }
 
 bool Listener::Prepare() {
@@ -84,12 +90,11 @@ Outcome Listener::Refresh() {
   if (const Outcome loaded = LoadLanguage(); !loaded) return loaded;
   const std::int64_t version = database_->version();
   if (recognizer_ && version == version_) return {};
-  const std::vector<knowledge::Name> names = knowledge::Names(*database_);
-  auto made = Recognizer::Make(settings_.model, {*intents_, *words_, names, Language::kEnglish});
+  recognizer_.reset();
+  names_ = knowledge::Names(*database_);
+  auto made = Recognizer::Make(settings_.model, {*intents_, *words_, names_, Language::kEnglish});
   if (!made) return Problem{made.problem()};
   recognizer_ = *std::move(made);
-  understander_ =
-      std::make_unique<knowledge::Understander>(*intents_, *words_, names, Language::kEnglish);
   version_ = version;
   return {};
 }

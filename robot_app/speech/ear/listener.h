@@ -1,7 +1,6 @@
 // Utterances to text, on a thread of its own: by a service where there is one that answers, else by
 // pocketsphinx with a grammar of what the robot knows now. The grammar is made at the start or when
-// the first utterance comes, and anew after an import of the knowledge. Of all that pocketsphinx
-// may have heard the text with the likeliest meaning is taken.
+// the first utterance comes, and anew after an import of the knowledge.
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 #define COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 
@@ -13,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "robot_app/knowledge/store/database.h"
 #include "robot_app/speech/ear/recognizer.h"
@@ -29,17 +29,8 @@ struct ListenerSettings {
       false;  ///< makes the grammar at the start, so that the first does not wait for it
 };
 
-struct Recognition {
-  std::string text;       ///< empty: nothing was recognized
-  double confidence = 0;  ///< 0..1: that it means what was meant
-};
-
-/// A confidence below which it is better to ask again: half of what is wrong is below it, and
-/// hardly anything that is right (./dev bench speech).
-inline constexpr double kSureEnough = 0.6;
-
 struct HeardUtterance {
-  Recognition recognition;
+  std::vector<knowledge::Alternative> alternatives;  ///< none: nothing was recognized
   knowledge::Language language = knowledge::Language::kEnglish;
   std::string who;
 };
@@ -56,17 +47,20 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
 
   /// Any thread; returns at once. More than three that wait are too many: the oldest is dropped.
-  void Listen(Sound sound, knowledge::Language language, std::string who);
+  /// `expected`: the names of which one is expected, or yes or no, as the robot has asked back.
+  void Listen(Sound sound, knowledge::Language language, std::string who,
+              std::vector<std::string> expected = {});
 
  private:
   struct Task {
     Sound sound;
     HeardUtterance heard;
+    std::vector<std::string> expected;
   };
 
   void Run();
-  Recognition Recognize(const Sound& sound, knowledge::Language language);
-  Recognition RecognizeOffline(const Sound& sound);
+  std::vector<knowledge::Alternative> Recognize(const Task& task);
+  std::vector<knowledge::Alternative> RecognizeOffline(const Task& task);
   bool Prepare();
   Outcome Refresh();
   Outcome LoadLanguage();
@@ -79,8 +73,8 @@ class Listener {
   std::int64_t version_ = 0;  // of the names in the recognizer
   std::optional<knowledge::IntentTable> intents_;
   std::optional<knowledge::LanguageWords> words_;  // English
+  std::vector<knowledge::Name> names_;
   std::unique_ptr<Recognizer> recognizer_;
-  std::unique_ptr<knowledge::Understander> understander_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -1,50 +1,23 @@
 #include "robot_app/speech/ear/recognizer.h"
 
-#include <pocketsphinx.h>
-#include <sphinxbase/err.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <set>
+#include <map>
+#include <thread>
 
+#include "robot_app/knowledge/understanding/utterance.h"
 #include "robot_app/speech/ear/common_words.h"
-#include "robot_app/speech/ear/ngram_counts.h"
-#include "robot_app/speech/ear/pronunciations.h"
 
 namespace coppice::robot::speech {
 namespace {
 
-constexpr int kMostPaths = 100;  // that the words may have taken
-
-// Scores of paths, in the decoder's units, that are that much apart have chances of 1 : e. As it
-// counts every frame as a witness of its own it would be far too sure; found by the bench.
-constexpr double kBlur = 0.02;
-// Its own choice, which it has looked for more thoroughly, has half the say of all paths together.
-constexpr double kSayOfChoice = 0.5;
-
+constexpr double kLeastReply = 0.6;   // else it was no reply
+constexpr double kUnasked = 0.2;      // of the weight of replies, while nothing is asked
 constexpr double kCommonShare = 0.6;  // of what may come anywhere; the rest are fillers
 
-// A folder for files that are read once.
-class Folder {
- public:
-  Folder() {
-    std::string path = (std::filesystem::temp_directory_path() / "coppice-ear-XXXXXX").string();
-    if (mkdtemp(path.data()) != nullptr) path_ = path;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string Path(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
+// One knows little but what people ask here, the other what they say anywhere, too: what only one
+// of them has understood is less sure.
+const Expectation kStrict{6.5, 0.03, 0.2, 1000, 0};
+const Expectation kOpen{6.5, 0.01, 0.1, 2000, 0.1};
 
 Outcome AddCommonWords(const std::string& folder, const SpokenLanguage& spoken, std::size_t most,
                        const Pronunciations& dictionary, NgramCounts& counts) {
@@ -65,63 +38,15 @@ Outcome AddCommonWords(const std::string& folder, const SpokenLanguage& spoken, 
   return {};
 }
 
-void WriteDictionary(const std::string& path, const NgramCounts& counts,
-                     const Pronunciations& dictionary) {
-  std::ofstream file(path);
-  for (const std::string& word : counts.Words()) {
-    if (word[0] == '<') continue;
-    int number = 0;
-    for (const std::string& spoken : dictionary.Of(word)) {
-      file << word;
-      if (++number > 1) file << "(" << number << ")";
-      file << " " << spoken << "\n";
-    }
+// What both have heard, each with half the say.
+std::vector<knowledge::Alternative> Together(const std::vector<knowledge::Alternative>& one,
+                                             const std::vector<knowledge::Alternative>& other) {
+  std::map<std::string, double> chances;
+  for (const auto* const heard : {&one, &other}) {
+    for (const auto& [text, chance] : *heard) chances[text] += chance / 2;
   }
-}
-
-ps_decoder_t* Decoder(const std::string& model, const Folder& files, double language_weight) {
-  const std::string weight = std::to_string(language_weight);
-  const std::string last_weight = std::to_string(1.5 * language_weight);
-  cmd_ln_t* const config =
-      cmd_ln_init(nullptr, ps_args(), TRUE, "-hmm", (model + "/en-us").c_str(), "-dict",
-                  files.Path("words.dict").c_str(), "-lm", files.Path("site.arpa").c_str(), "-lw",
-                  weight.c_str(), "-fwdflatlw", weight.c_str(), "-bestpathlw", last_weight.c_str(),
-                  "-logfn", "/dev/null", nullptr);
-  ps_decoder_t* const decoder = config == nullptr ? nullptr : ps_init(config);
-  if (config != nullptr) cmd_ln_free_r(config);
-  return decoder;
-}
-
-void AddChoice(const char* choice, std::vector<knowledge::Alternative>& alternatives) {
-  double all = 0;
-  for (const auto& alternative : alternatives) all += alternative.chance;
-  const double say = alternatives.empty() ? 1 : kSayOfChoice * all;
-  const auto same = std::find_if(alternatives.begin(), alternatives.end(),
-                                 [&](const auto& one) { return one.text == choice; });
-  if (same == alternatives.end()) {
-    alternatives.push_back({choice, say});
-  } else {
-    same->chance += say;
-  }
-}
-
-// What may have been said, the likeliest first, each text once.
-std::vector<knowledge::Alternative> AlternativesOf(ps_decoder_t* decoder, const char* choice) {
   std::vector<knowledge::Alternative> alternatives;
-  std::set<std::string> texts;
-  double best = 0;
-  int paths = 0;
-  ps_nbest_t* path = ps_nbest(decoder);
-  for (; path != nullptr && paths < kMostPaths; path = ps_nbest_next(path), ++paths) {
-    int32 log_score = 0;
-    const char* const text = ps_nbest_hyp(path, &log_score);
-    if (text == nullptr || !texts.insert(text).second) continue;
-    const double score = logmath_log_to_ln(ps_get_logmath(decoder), log_score);
-    if (alternatives.empty()) best = score;
-    alternatives.push_back({text, std::exp((score - best) / kBlur)});
-  }
-  if (path != nullptr) ps_nbest_free(path);
-  AddChoice(choice, alternatives);
+  for (const auto& [text, chance] : chances) alternatives.push_back({text, chance});
   std::stable_sort(alternatives.begin(), alternatives.end(),
                    [](const auto& a, const auto& b) { return a.chance > b.chance; });
   return alternatives;
@@ -129,39 +54,77 @@ std::vector<knowledge::Alternative> AlternativesOf(ps_decoder_t* decoder, const 
 
 }  // namespace
 
-void Recognizer::Free::operator()(ps_decoder_s* decoder) const { ps_free(decoder); }
-
 Expected<std::unique_ptr<Recognizer>> Recognizer::Make(const std::string& model_folder,
-                                                       const SpokenLanguage& spoken,
-                                                       const Expectation& expectation) {
-  err_set_logfp(nullptr);
+                                                       const SpokenLanguage& spoken) {
   const auto dictionary = Pronunciations::Load(model_folder + "/cmudict-en-us.dict");
   if (!dictionary) return Problem{dictionary.problem()};
-  NgramCounts counts;
-  counts.lower = expectation.surprise;
-  counts.anywhere = expectation.anything;
-  ForEachSentence(
-      spoken, [&counts](const Sentence& sentence, double weight) { counts.Add(sentence, weight); });
-  const Outcome added =
-      AddCommonWords(model_folder, spoken, expectation.common_words, *dictionary, counts);
-  if (!added) return Problem{added.problem()};
-  const Folder files;
-  std::ofstream(files.Path("site.arpa")) << counts.Arpa();
-  WriteDictionary(files.Path("words.dict"), counts, *dictionary);
-  ps_decoder_t* const decoder = Decoder(model_folder, files, expectation.language_weight);
-  if (decoder == nullptr) return Problem{"pocketsphinx cannot read the model " + model_folder};
-  return std::unique_ptr<Recognizer>(new Recognizer(decoder));
+  std::unique_ptr<Recognizer> made(new Recognizer);
+  for (const Expectation& expectation : {kStrict, kOpen}) {
+    NgramCounts counts;
+    counts.lower = expectation.surprise;
+    counts.anywhere = expectation.anything;
+    const Outcome added =
+        AddCommonWords(model_folder, spoken, expectation.common_words, *dictionary, counts);
+    if (!added) return Problem{added.problem()};
+    if (made->decoders_.empty()) made->SetReplies(counts, spoken);
+    const auto add = [&counts](double share) {
+      return [&counts, share](const Sentence& sentence, double weight) {
+        counts.Add(sentence, share * weight);
+      };
+    };
+    ForEachSentence(spoken, add(1));
+    ForEachReply(spoken, add(kUnasked));
+    auto decoder = Decoder::Make(model_folder, *dictionary, counts, expectation);
+    if (!decoder) return Problem{decoder.problem()};
+    made->decoders_.push_back(*std::move(decoder));
+  }
+  return made;
+}
+
+void Recognizer::SetReplies(const NgramCounts& common, const SpokenLanguage& spoken) {
+  replies_ = common;
+  ForEachReply(spoken, [this](const Sentence& reply, double weight) {
+    replies_.Add(reply, weight);
+    words_of_replies_.insert(reply.begin(), reply.end());
+  });
 }
 
 std::vector<knowledge::Alternative> Recognizer::Recognize(const Sound& sound) {
-  const Sound heard = Resampled(sound, kHearingRate);
-  if (heard.samples.empty() || ps_start_utt(decoder_.get()) < 0) return {};
-  ps_process_raw(decoder_.get(), heard.samples.data(), heard.samples.size(), FALSE, TRUE);
-  ps_end_utt(decoder_.get());
-  const char* const found = ps_get_hyp(decoder_.get(), nullptr);
-  if (found == nullptr) return {};
-  const std::string choice = found;  // it is gone when paths are looked for
-  return AlternativesOf(decoder_.get(), choice.c_str());
+  std::vector<knowledge::Alternative> other;
+  std::thread thread([&] { other = decoders_[1].Recognize(sound); });
+  const std::vector<knowledge::Alternative> one = decoders_[0].Recognize(sound);
+  thread.join();
+  return Together(one, other);
+}
+
+// The model of what may be replied is small and made anew for other names.
+void Recognizer::ExpectReply(const std::vector<std::string>& names) {
+  if (expects_reply_ && names == names_) return;
+  expects_reply_ = true;
+  names_ = names;
+  NgramCounts counts = replies_;
+  words_ = words_of_replies_;
+  ForEachNamed(names, [&](const Sentence& reply, double weight) {
+    counts.Add(reply, weight);
+    words_.insert(reply.begin(), reply.end());
+  });
+  decoders_[0].SetReplies(counts);
+}
+
+std::vector<knowledge::Alternative> Recognizer::RecognizeReply(
+    const Sound& sound, const std::vector<std::string>& names) {
+  ExpectReply(names);
+  std::vector<knowledge::Alternative> alternatives = decoders_[0].RecognizeReply(sound);
+  double replies = 0;
+  for (const knowledge::Alternative& alternative : alternatives) {
+    const auto words = knowledge::SplitWords(alternative.text);
+    const bool is_reply = std::all_of(words.begin(), words.end(), [this](const std::string& word) {
+      return words_.count(word) > 0;
+    });
+    replies += is_reply ? alternative.chance : 0;
+  }
+  if (replies < kLeastReply) alternatives.clear();
+  return alternatives;
 }
 
 }  // namespace coppice::robot::speech

@@ -14,6 +14,45 @@ using knowledge::IntentRow;
 using knowledge::Kind;
 using knowledge::Name;
 
+// Of what people answer: how much is said in which way.
+constexpr std::pair<knowledge::Intent, double> kReplies[] = {{knowledge::Intent::kYes, 0.3},
+                                                             {knowledge::Intent::kNo, 0.2},
+                                                             {knowledge::Intent::kCancel, 0.05}};
+constexpr double kNumbers = 0.2, kNames = 0.25;
+constexpr std::size_t kMostChoices = 2;  // "third" sounds like "first"
+
+// What says an intent without names.
+std::vector<Sentence> SentencesOf(const IntentRow& row, knowledge::Language language) {
+  std::vector<Sentence> sentences;
+  for (const auto& phrase : In(language, row.phrases)) {
+    Sentence& sentence = sentences.emplace_back();
+    for (const auto& word : phrase.words) sentence.push_back(word.text);
+  }
+  for (const std::string& example : In(language, row.examples)) {
+    sentences.push_back(knowledge::SplitWords(example));
+  }
+  return sentences;
+}
+
+// "library", "the library", "the library one".
+void AddWithArticle(const Sentence& words, std::vector<Sentence>& sentences) {
+  if (words.empty()) return;
+  Sentence bare = words;
+  if (bare.size() > 1 && bare.front() == "the") bare.erase(bare.begin());
+  sentences.push_back(bare);
+  bare.insert(bare.begin(), "the");
+  sentences.push_back(bare);
+  bare.emplace_back("one");
+  sentences.push_back(bare);
+}
+
+void Spread(const std::vector<Sentence>& sentences, double weight,
+            const std::function<void(const Sentence&, double)>& add) {
+  for (const Sentence& sentence : sentences) {
+    add(sentence, weight / static_cast<double>(sentences.size()));
+  }
+}
+
 class Writer {
  public:
   Writer(const SpokenLanguage& spoken, const std::function<void(const Sentence&, double)>& add)
@@ -21,6 +60,9 @@ class Writer {
     for (const Name& name : spoken.names) AddName(name.kind, name.text, name.language);
     for (const Name& name : spoken.words.days) AddName(name.kind, name.text, name.language);
     AddLines();
+    for (const auto& [short_form, words] : spoken.words.contractions) {
+      contractions_[words] = short_form;
+    }
   }
 
   void Write() {
@@ -35,14 +77,30 @@ class Writer {
   }
 
  private:
-  static constexpr double kExamples = 0.5, kPhrases = 0.4, kBare = 0.15;
+  static constexpr double kExamples = 0.7, kPhrases = 0.2, kBare = 0.15;
+  static constexpr double kContracted = 0.3;
 
   // Hands on what was collected, with weights that add up to `share`.
   void Hand(double share) {
     double sum = 0;
     for (const auto& [sentence, weight] : collected_) sum += weight;
-    for (const auto& [sentence, weight] : collected_) add_(sentence, share * weight / sum);
+    for (const auto& [sentence, weight] : collected_) Add(sentence, share * weight / sum);
     collected_.clear();
+  }
+
+  // "where is" is as often "wheres".
+  void Add(const Sentence& sentence, double weight) {
+    Sentence contracted;
+    for (std::size_t i = 0; i < sentence.size(); ++i) {
+      const auto found = i + 1 < sentence.size()
+                             ? contractions_.find(sentence[i] + " " + sentence[i + 1])
+                             : contractions_.end();
+      contracted.push_back(found == contractions_.end() ? sentence[i] : found->second);
+      i += found == contractions_.end() ? 0 : 1;
+    }
+    if (contracted.size() == sentence.size()) return add_(sentence, weight);
+    add_(sentence, (1 - kContracted) * weight);
+    add_(contracted, kContracted * weight);
   }
 
   void AddName(Kind kind, const std::string& text, knowledge::Language language) {
@@ -52,7 +110,10 @@ class Writer {
       if (words.empty() && word == "the") continue;
       words.push_back(std::move(word));
     }
-    if (!words.empty()) names_[kind].insert(words);
+    if (words.empty()) return;
+    names_[kind].insert(words);
+    if (kind != Kind::kPerson || words.size() > 1) return;
+    for (const std::string& title : spoken_.words.titles) names_[kind].insert({title, words[0]});
   }
 
   // "line {}", "the {}": as people call what is written on a tram.
@@ -68,10 +129,10 @@ class Writer {
     }
   }
 
-  // "take me to" + "restroom", "the restroom" + ...
+  // "take me to" + "library", "the library" + ...
   void WriteNames(Kind kind, const Sentence& before, const Sentence& after, double weight) {
-    const bool may_be_definite =
-        kind == Kind::kPlace || kind == Kind::kCategory || kind == Kind::kStop;
+    // Of categories the sentences say how they are called: "the nearest", "all", "a".
+    const bool may_be_definite = kind == Kind::kPlace || kind == Kind::kStop;
     const double each = weight / static_cast<double>(names_[kind].size());
     for (const Sentence& name : names_[kind]) {
       Sentence sentence = before;
@@ -88,7 +149,7 @@ class Writer {
     for (const Kind kind : row.takes) WriteNames(kind, before, {}, weight);
   }
 
-  // A phrase that leads somewhere needs a word in between: "take me" + "to" + "the restroom".
+  // A phrase that leads somewhere needs a word in between: "take me" + "to" + "the library".
   void WritePhrase(const IntentRow& row, const knowledge::Phrase& phrase) {
     Sentence words;
     for (const auto& word : phrase.words) words.push_back(word.text);
@@ -111,7 +172,7 @@ class Writer {
     return {};
   }
 
-  // What stands for a second name is left out.
+  // Of a second slot, such as the day, every sentence takes another name in turn.
   void WriteExample(const std::string& example) {
     const std::size_t open = example.find('{');
     const std::size_t close = example.find('}', open);
@@ -121,14 +182,29 @@ class Writer {
       return;
     }
     const auto kind = knowledge::KindOf(example.substr(open + 1, close - open - 1));
-    const std::string after = example.substr(close + 1);
     if (!kind) return;
-    WriteNames(*kind, before, knowledge::SplitWords(after.substr(0, after.find('{'))), 1);
+    const std::string after = example.substr(close + 1);
+    const std::size_t second = after.find('{');
+    if (second == std::string::npos)
+      return WriteNames(*kind, before, knowledge::SplitWords(after), 1);
+    const std::size_t end = after.find('}', second);
+    const auto other = knowledge::KindOf(after.substr(second + 1, end - second - 1));
+    if (!other) return;
+    const std::set<Sentence>& names = names_[*other];
+    for (const Sentence& name : names) {
+      Sentence behind = knowledge::SplitWords(after.substr(0, second));
+      behind.insert(behind.end(), name.begin(), name.end());
+      for (std::string& word : knowledge::SplitWords(after.substr(end + 1))) {
+        behind.push_back(std::move(word));
+      }
+      WriteNames(*kind, before, behind, 1.0 / static_cast<double>(names.size()));
+    }
   }
 
   const SpokenLanguage& spoken_;
   const std::function<void(const Sentence&, double)>& add_;
   std::map<Kind, std::set<Sentence>> names_;
+  std::map<std::string, std::string> contractions_;  // "where is" -> "wheres"
   std::vector<std::pair<Sentence, double>> collected_;
 };
 
@@ -137,6 +213,27 @@ class Writer {
 void ForEachSentence(const SpokenLanguage& spoken,
                      const std::function<void(const Sentence&, double)>& add) {
   Writer(spoken, add).Write();
+}
+
+void ForEachReply(const SpokenLanguage& spoken,
+                  const std::function<void(const Sentence&, double)>& add) {
+  for (const auto& [intent, weight] : kReplies) {
+    for (const IntentRow& row : spoken.intents) {
+      if (row.intent == intent) Spread(SentencesOf(row, spoken.language), weight, add);
+    }
+  }
+  std::vector<Sentence> numbers;
+  for (const auto& [word, number] : spoken.words.ordinals) {
+    if (number < kMostChoices) AddWithArticle({word}, numbers);
+  }
+  Spread(numbers, kNumbers, add);
+}
+
+void ForEachNamed(const std::vector<std::string>& names,
+                  const std::function<void(const Sentence&, double)>& add) {
+  std::vector<Sentence> sentences;
+  for (const std::string& name : names) AddWithArticle(knowledge::SplitWords(name), sentences);
+  Spread(sentences, kNames, add);
 }
 
 }  // namespace coppice::robot::speech

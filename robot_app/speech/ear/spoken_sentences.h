@@ -27,6 +27,12 @@ struct SpokenLanguage {
 void ForEachSentence(const SpokenLanguage& spoken,
                      const std::function<void(const Sentence& sentence, double weight)>& add);
 
+/// Likewise what people say to a question back: yes, no, "the first one"; and one of the names.
+void ForEachReply(const SpokenLanguage& spoken,
+                  const std::function<void(const Sentence& sentence, double weight)>& add);
+void ForEachNamed(const std::vector<std::string>& names,
+                  const std::function<void(const Sentence& sentence, double weight)>& add);
+
 }  // namespace coppice::robot::speech
 
 #endif  // COPPICE_ROBOT_APP_SPEECH_EAR_SPOKEN_SENTENCES_H_

@@ -19,6 +19,14 @@ std::uint8_t MoodOf(knowledge::AnswerMood mood) {
   return coppice_msgs::Answer::UNKNOWN;
 }
 
+std::vector<std::string> TextsOf(const std::vector<knowledge::Slot>& slots) {
+  std::vector<std::string> texts;
+  for (const knowledge::Slot& slot : slots) {
+    texts.push_back(std::string(Word(slot.kind)) + "=" + slot.subject);
+  }
+  return texts;
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<Conversation>> Conversation::Open(const std::string& database,
@@ -32,26 +40,34 @@ Expected<std::unique_ptr<Conversation>> Conversation::Open(const std::string& da
   return std::unique_ptr<Conversation>(new Conversation(std::move(dialogue)));
 }
 
-coppice_msgs::Answer Conversation::Answer(const coppice_msgs::Heard& heard, WallTime now) {
+coppice_msgs::Answer Conversation::Answer(const coppice_msgs::Heard& heard,
+                                          const std::vector<knowledge::Alternative>& alternatives,
+                                          WallTime now) {
   if (heard.who != who_ || now - last_ > kSilence) dialogue_->Forget();
   who_ = heard.who;
   last_ = now;
   if (const auto language = knowledge::LanguageOf(heard.language)) {
     dialogue_->set_language(*language);
   }
-  const knowledge::Answer answer = dialogue_->Hear(heard.text, now);
+  const auto [answer, text, share] = dialogue_->Hear(alternatives, now);
   coppice_msgs::Answer message;
   message.heard = heard;
+  message.heard.text = text;
+  message.heard.confidence = static_cast<float>(share);
   message.mood = MoodOf(answer.mood);
   message.text = answer.text;
   message.language = Code(dialogue_->language());
   message.place = answer.place;
   message.guides = answer.guides;
+  for (const knowledge::Choice& choice : answer.choices) {
+    coppice_msgs::Choice& told = message.choices.emplace_back();
+    told.label = choice.label;
+    told.intent = Word(choice.request.intent);
+    told.slots = TextsOf(choice.request.slots);
+  }
   if (!answer.request) return message;
   message.intent = Word(answer.request->intent);
-  for (const knowledge::Slot& slot : answer.request->slots) {
-    message.slots.push_back(std::string(Word(slot.kind)) + "=" + slot.subject);
-  }
+  message.slots = TextsOf(answer.request->slots);
   return message;
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bt_core/base/outcome.h"
 #include "robot_app/knowledge/answers/dialogue.h"
@@ -21,9 +22,18 @@ class Conversation {
                                                       const std::string& site,
                                                       const std::string& language_folder);
 
-  /// `heard.language` may be empty: the one that is spoken now. Of an empty text the answer is that
-  /// nothing was understood.
-  coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard, WallTime now);
+  /// Answers one of the texts that somebody may have said. In `heard` of the answer is what it
+  /// answers and how sure that is; no text if it was not understood. `heard.language` may be empty:
+  /// the one that is spoken now.
+  coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard,
+                              const std::vector<knowledge::Alternative>& alternatives,
+                              WallTime now);
+
+  /// What may be answered to the question that the robot has asked back; nothing if it has not.
+  std::vector<std::string> ExpectedNames(WallTime now) { return dialogue_->ExpectedNames(now); }
+  /// Whoever else has answered.
+  void CloseQuestion() { dialogue_->CloseQuestion(); }
+  void set_least_sure(double share) { dialogue_->set_least_sure(share); }
 
   /// Without it as the crow flies from the robot's home.
   void set_way(knowledge::WayFromHere way) { dialogue_->set_way(std::move(way)); }

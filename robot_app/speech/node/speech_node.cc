@@ -78,6 +78,8 @@ SpeechNode::SpeechNode(SpeechSettings settings, std::unique_ptr<RosClock> clock,
 void SpeechNode::Serve() {
   if (!parts_.conversation) return;
   if (parts_.guide) parts_.conversation->set_way([this] { return WayFromHere(); });
+  parts_.conversation->set_least_sure(settings_.least_confidence);
+  others_ = node_.subscribe("/speech/answer", 10, &SpeechNode::OnAnswer, this);
   services_.push_back(node_.advertiseService("/speech/ask", &SpeechNode::OnAsk, this));
   services_.push_back(node_.advertiseService("/speech/listen", &SpeechNode::OnListen, this));
   services_.push_back(node_.advertiseService("/speech/hear_file", &SpeechNode::OnHearFile, this));
@@ -117,39 +119,42 @@ void SpeechNode::OnSamples(const std::vector<std::int16_t>& samples) {
 }
 
 void SpeechNode::Listen(Sound utterance, const std::string& who) {
-  listener_->Listen(std::move(utterance), parts_.conversation->language(), who);
+  listener_->Listen(std::move(utterance), parts_.conversation->language(), who,
+                    parts_.conversation->ExpectedNames(WallNow()));
 }
 
 void SpeechNode::OnHeard(const HeardUtterance& utterance) {
   coppice_msgs::Heard heard;
   heard.header.stamp = ros::Time::now();
-  const bool is_sure = utterance.recognition.confidence >= settings_.least_confidence;
-  heard.text = is_sure ? utterance.recognition.text : "";
   heard.language = Code(utterance.language);
-  heard.confidence = static_cast<float>(utterance.recognition.confidence);
   heard.source = coppice_msgs::Heard::MICROPHONE;
   heard.who = utterance.who;
-  Answer(heard, settings_.answers_aloud);
+  Answer(heard, utterance.alternatives, settings_.answers_aloud);
 }
 
-coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard, bool aloud) {
-  heard_.publish(heard);
-  coppice_msgs::Answer answer = parts_.conversation->Answer(heard, WallNow());
+coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard,
+                                        const std::vector<knowledge::Alternative>& alternatives,
+                                        bool aloud) {
+  coppice_msgs::Answer answer = parts_.conversation->Answer(heard, alternatives, WallNow());
+  heard_.publish(answer.heard);
   answer.header.stamp = ros::Time::now();
   answer_.publish(answer);
   if (aloud) mouth_.Say(answer.text, answer.language, kAnswerPriority);
   return answer;
 }
 
+// What the tablet answers ends what was asked aloud.
+void SpeechNode::OnAnswer(const ros::MessageEvent<coppice_msgs::Answer const>& event) {
+  if (event.getPublisherName() != ros::this_node::getName()) parts_.conversation->CloseQuestion();
+}
+
 bool SpeechNode::OnAsk(coppice_msgs::Ask::Request& request, coppice_msgs::Ask::Response& response) {
   coppice_msgs::Heard heard;
   heard.header.stamp = ros::Time::now();
-  heard.text = request.text;
   heard.language = request.language.empty() ? SpokenNow() : request.language;
-  heard.confidence = 1;
   heard.source = request.source;
   heard.who = request.who;
-  response.answer = Answer(heard, request.aloud != 0);
+  response.answer = Answer(heard, {{request.text, 1}}, request.aloud != 0);
   return true;
 }
 

@@ -41,7 +41,9 @@ class SpeechNode {
   void OnSamples(const std::vector<std::int16_t>& samples);
   void Listen(Sound utterance, const std::string& who);
   void OnHeard(const HeardUtterance& utterance);
-  coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard, bool aloud);
+  coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard,
+                              const std::vector<knowledge::Alternative>& alternatives, bool aloud);
+  void OnAnswer(const ros::MessageEvent<coppice_msgs::Answer const>& event);
 
   bool OnAsk(coppice_msgs::Ask::Request& request, coppice_msgs::Ask::Response& response);
   bool OnListen(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
@@ -63,6 +65,7 @@ class SpeechNode {
   std::string was_saying_;
   ros::Publisher saying_, heard_, answer_, state_;
   std::vector<ros::ServiceServer> services_;
+  ros::Subscriber others_;
   ros::WallTimer watch_, state_timer_;
   // Last: their threads use all of the above until they are gone.
   std::unique_ptr<Listener> listener_;

@@ -32,7 +32,7 @@ Parameters ParametersOf(SpeechSettings& settings) {
           {"push_to_talk", &settings.push_to_talk, "hears only while /speech/listen says so"},
           {"answers_aloud", &settings.answers_aloud, "says what it answers to speech"},
           {"least_confidence", &settings.least_confidence, 0, 1,
-           "that it was meant; else nothing was heard"},
+           "that it was meant; else it asks back"},
           {"above_noise", &activity.above_noise, 1, 60, "louder than this is speech [dB]"},
           {"ends_after", &activity.ends_after, 0.1, 5, "of silence an utterance has ended [s]"},
           {"tail", &settings.ear.tail, 0, 5, "the ear stays shut after the mouth [s]"},

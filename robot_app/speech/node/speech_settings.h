@@ -22,7 +22,7 @@ struct SpeechSettings {
   std::string microphone = "none";
   bool push_to_talk = false;
   bool answers_aloud = true;
-  double least_confidence = kSureEnough;  ///< that it was meant; else it is not understood
+  double least_confidence = knowledge::kSureEnough;  ///< that it was meant; else it asks back
   EarSettings ear;
   VoiceSettings voices;
   SpeechService transcription;

@@ -23,6 +23,7 @@ const plan = makeFloor(element("floor"));
 let language = "en";
 let path = [];
 let place = "";          // to which the visitor can be led
+let isAsked = false;     // the buttons are those of a question
 let isUsed = false;      // since the last start
 let idleTimer = 0, talkTimer = 0;
 let faceNumber = -1, saidNumber = -1;
@@ -61,16 +62,19 @@ function showAnswer(answer) {
   plan.setWay(answer.way);
   element("guide").hidden = !place;
   element("stop").hidden = true;
-  if (answer.mood === "asking") showChoice();
+  if (answer.choices.length) return showChoices(answer.choices);
+  if (isAsked) go([]);
 }
 
 // The robot has asked back.
-async function showChoice() {
-  const screen = await call("screen", {path: []});
+function showChoices(labels) {
+  isAsked = true;
   element("buttons").replaceChildren();
-  for (const {step, label} of screen.buttons || []) {
-    if (step === "yes" || step === "no") addButton(label, () => go([step]));
-  }
+  labels.forEach((label, number) =>
+    addButton(label, async () => {
+      await start();
+      showAnswer(await call("choose", {number}));
+    }));
 }
 
 function addButton(label, onPress) {
@@ -87,6 +91,7 @@ async function go(next) {
   if (screen.answers) showAnswer(await call("press", {path: next}));
   if (!screen.buttons.length) return;
   path = next;
+  isAsked = false;
   element("buttons").replaceChildren();
   if (path.length) addButton("← " + words().back, () => go(path.slice(0, -1)));
   for (const {step, label} of screen.buttons) {

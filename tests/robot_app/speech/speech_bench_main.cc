@@ -1,6 +1,7 @@
 // How well the robot hears what people ask, and how fast: utterances that were written by hand,
-// spoken by voices of espeak-ng in noise, recognized by pocketsphinx, understood. `./dev bench
-// speech` builds and runs it.
+// spoken by voices of espeak-ng in noise, recognized by pocketsphinx, understood. Where the robot
+// asks back, the same voice replies in the same noise what the visitor would. `./dev bench speech`
+// builds and runs it.
 //
 //   coppice_speech_bench [--every N] [--misses]
 //
@@ -13,9 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/knowledge/answers/dialogue.h"
 #include "robot_app/knowledge/store/queries.h"
-#include "robot_app/speech/ear/listener.h"
 #include "robot_app/speech/ear/recognizer.h"
+#include "tests/robot_app/knowledge/language_files.h"
 #include "tests/robot_app/knowledge/sample_database.h"
 #include "tests/robot_app/knowledge/understanding_figures.h"
 #include "tests/robot_app/speech/noisy_speech.h"
@@ -23,10 +25,15 @@
 namespace coppice::robot::speech {
 namespace {
 
+using knowledge::Alternative;
+using knowledge::Answer;
+using knowledge::AnswerMood;
+using knowledge::Choice;
 using knowledge::Hearing;
-using knowledge::HearingCounts;
 using knowledge::Language;
 using knowledge::SpokenExample;
+using knowledge::Understanding;
+using knowledge::Verdict;
 
 // Of 37 voices these are heard best, by 14 sentences that are not in the set: their consonants are
 // as loud beside the vowels as people's. The plain "en-us" is heard badly (docs/service.md).
@@ -44,49 +51,77 @@ bool IsPlaceSearch(const SpokenExample& example) {
          (example.intent == "find_place" || example.intent == "guide");
 }
 
+Hearing HearingOf(const knowledge::Request& request, const SpokenExample& example) {
+  return knowledge::HearingOf({Verdict::kUnderstood, request, {}, {}}, example);
+}
+
+// Where one of several has to be asked back, all of them are.
+Hearing HearingOf(const Answer& answer, const SpokenExample& example) {
+  if (answer.request) return HearingOf(*answer.request, example);
+  if (answer.mood != AnswerMood::kAsking) return knowledge::HearingOf({}, example);
+  Understanding asked{Verdict::kAmbiguous, {}, {}, {}};
+  for (const Choice& choice : answer.choices) {
+    if (HearingOf(choice.request, example) == Hearing::kRight) return Hearing::kAsked;
+    asked.request.intent = choice.request.intent;
+    if (!choice.request.slots.empty()) asked.choices.push_back(choice.request.slots.front());
+  }
+  return knowledge::HearingOf(asked, example);
+}
+
 // What became of the utterances in a noise.
 struct Figures {
-  HearingCounts counts;
-  std::map<std::string, HearingCounts> of_voices;
+  int answerable = 0, unanswerable = 0;
+  int right = 0, right_asked = 0;      // without and with a question back, of the answerable ones
+  int refused = 0, refused_asked = 0;  // likewise, of the unanswerable ones
+  int asked = 0, wrong = 0;
   int places = 0, places_found = 0;  // with at most one question back
   std::vector<double> seconds;       // from the end of speech to the answer
 
-  void Add(const SpokenExample& example, const std::string& voice, Hearing hearing, double took) {
-    counts.Add(example, hearing);
-    of_voices[voice].Add(example, hearing);
+  void Add(const SpokenExample& example, Hearing first, Hearing last, double took) {
+    const bool can_be_answered = example.intent != "none";
+    const bool is_right = first == Hearing::kRight, is_right_at_last = last == Hearing::kRight;
+    (can_be_answered ? answerable : unanswerable) += 1;
+    (can_be_answered ? right : refused) += is_right ? 1 : 0;
+    (can_be_answered ? right_asked : refused_asked) += is_right_at_last ? 1 : 0;
+    asked += first == Hearing::kAsked || first == Hearing::kWrongChoice ? 1 : 0;
+    wrong += last == Hearing::kWrongAction ? 1 : 0;
     seconds.push_back(took);
     if (!IsPlaceSearch(example)) return;
     ++places;
-    places_found += hearing == Hearing::kRight || hearing == Hearing::kAsked ? 1 : 0;
+    places_found += is_right_at_last ? 1 : 0;
   }
-  double place_share() const { return static_cast<double>(places_found) / places; }
   double SlowestOfTen() {
     std::sort(seconds.begin(), seconds.end());
     return seconds[seconds.size() * 9 / 10];
   }
 };
 
-bool Print(const char* what, double snr, Figures& figures) {
-  const HearingCounts& counts = figures.counts;
+double Percent(int part, int whole) { return whole == 0 ? 0 : 100.0 * part / whole; }
+
+bool Print(const char* what, double snr, Figures& f) {
+  const int all = f.answerable + f.unanswerable;
   std::printf(
-      "%2.0f dB, %-8s right %5.1f %% of %d, places %5.1f %% of %d, unanswerable refused %5.1f %% of "
-      "%d, wrong action %4.1f %%, answered within %.0f ms\n",
-      snr, what, 100 * counts.right_share(), counts.answerable, 100 * figures.place_share(),
-      figures.places, 100 * counts.refused_share(), counts.unanswerable, 100 * counts.wrong_share(),
-      1000 * figures.SlowestOfTen());
-  for (const auto& [voice, of_voice] : figures.of_voices) {
-    std::printf("         %-12s right %5.1f %%\n", voice.c_str(), 100 * of_voice.right_share());
-  }
-  return counts.right_share() >= kLeastRight && counts.wrong_share() <= kMostWrong &&
-         figures.place_share() >= kLeastPlaces && figures.SlowestOfTen() <= kLongestAnswer;
+      "%2.0f dB, %-8s right %5.1f %% of %d, with one question back %5.1f %%; asked back %5.1f %%; "
+      "places %d of %d; unanswerable refused %d, in the end %d of %d; wrong action %4.1f %%; "
+      "answered within %.0f ms\n",
+      snr, what, Percent(f.right, f.answerable), f.answerable, Percent(f.right_asked, f.answerable),
+      Percent(f.asked, all), f.places_found, f.places, f.refused, f.refused_asked, f.unanswerable,
+      Percent(f.wrong, all), 1000 * f.SlowestOfTen());
+  return f.right_asked >= kLeastRight * f.answerable && f.wrong <= kMostWrong * all &&
+         f.places_found >= kLeastPlaces * f.places && f.SlowestOfTen() <= kLongestAnswer;
 }
 
 class Bench {
  public:
   Bench(int every, bool lists_misses) : every_(every), lists_misses_(lists_misses) {
-    auto made = Recognizer::Make(kEnglishModel, {table_, words_, names_});
+    const auto& files = knowledge::ShippedLanguageFiles();
+    const auto& words = In(Language::kEnglish, files.words);
+    auto made = Recognizer::Make(kEnglishModel, {files.intents, words, knowledge::Names(*sample_)});
     if (!made) throw std::runtime_error(made.problem());
     recognizer_ = *std::move(made);
+    dialogue_ =
+        knowledge::Dialogue::Open(sample_.path(), knowledge::LanguageFolder(), diagnostics_);
+    if (!dialogue_) throw std::runtime_error(diagnostics_.ToString());
   }
 
   bool Measure(double snr) {
@@ -102,36 +137,68 @@ class Bench {
   }
 
  private:
+  Sound Said(const std::string& text, const std::string& voice, double snr, unsigned seed) const {
+    const auto said = voices_.Speak(text, {voice, kWordsPerMinute});
+    if (!said) throw std::runtime_error(said.problem());
+    return Resampled(InNoise(said->sound, snr, seed), kHearingRate);
+  }
+
   void Speak(const SpokenExample& example, const std::string& voice, double snr, unsigned seed,
              Figures& figures) {
-    const auto said = voices_.Speak(example.text, {voice, kWordsPerMinute});
-    if (!said) throw std::runtime_error(said.problem());
-    const Sound sound = Resampled(InNoise(said->sound, snr, seed), kHearingRate);
+    const Sound sound = Said(example.text, voice, snr, seed);
     const auto begin = std::chrono::steady_clock::now();
-    const auto heard = LikeliestMeaning(understander_, recognizer_->Recognize(sound));
-    const bool is_sure = heard.share >= kSureEnough;
-    const knowledge::Understanding understood = understander_.Understand(is_sure ? heard.text : "");
+    dialogue_->Forget();
+    dialogue_->set_language(Language::kEnglish);
+    const knowledge::HeardAnswer heard = dialogue_->Hear(recognizer_->Recognize(sound), now_);
     static_cast<void>(voices_.Speak(kAnswer, {"en-us", kWordsPerMinute}));
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    const Hearing hearing = HearingOf(understood, example);
-    figures.Add(example, voice, hearing, took.count());
-    if (!lists_misses_ || hearing == Hearing::kRight) return;
-    std::printf("    %-12s %-45s | %-45s %.2f %s %s -> %s%s\n", voice.c_str(), example.text.c_str(),
-                heard.text.c_str(), heard.share, example.intent.c_str(), example.slots.c_str(),
-                TextOf(understood).c_str(), hearing == Hearing::kWrongAction ? " WRONG" : "");
+    const Hearing first = HearingOf(heard.answer, example);
+    const bool is_asked = !heard.answer.choices.empty() && first != Hearing::kRight;
+    const std::string reply = is_asked ? ReplyOf(heard.answer, example, seed) : "";
+    const Hearing last =
+        is_asked ? Reply(example, Said(reply, voice, snr, seed + 1), first) : first;
+    figures.Add(example, first, last, took.count());
+    if (!lists_misses_ || first == Hearing::kRight) return;
+    std::printf("    %-12s %-45s | %-45s %.2f %s %s -> %s%s%s\n", voice.c_str(),
+                example.text.c_str(), heard.text.c_str(), heard.share, example.intent.c_str(),
+                example.slots.c_str(), heard.answer.text.substr(0, 60).c_str(),
+                is_asked ? (" \"" + reply + "\"").c_str() : "",
+                last == Hearing::kWrongAction ? " WRONG"
+                : last == Hearing::kRight     ? " right"
+                                              : "");
+  }
+
+  // By its number or by its name in turn.
+  static std::string ReplyOf(const Answer& asked, const SpokenExample& example, unsigned seed) {
+    static const std::vector<std::string> kNumbers = {"the first one", "the second one",
+                                                      "the third one"};
+    for (std::size_t i = 0; i < asked.choices.size(); ++i) {
+      if (HearingOf(asked.choices[i].request, example) != Hearing::kRight) continue;
+      const std::string& label = asked.choices[i].label;
+      return label == "Yes" || seed % 2 == 0 ? (label == "Yes" ? "yes" : kNumbers[i]) : label;
+    }
+    return "no";
+  }
+
+  Hearing Reply(const SpokenExample& example, const Sound& sound, Hearing first) {
+    auto heard = recognizer_->RecognizeReply(sound, dialogue_->ExpectedNames(now_));
+    if (heard.empty()) heard = recognizer_->Recognize(sound);
+    const Answer answer = dialogue_->Hear(heard, now_).answer;
+    const bool is_none = answer.request && answer.request->intent == knowledge::Intent::kCancel;
+    if (is_none || !answer.request) {
+      return example.intent == "none"   ? Hearing::kRight
+             : first == Hearing::kAsked ? Hearing::kRefused
+                                        : first;
+    }
+    return HearingOf(*answer.request, example);
   }
 
   const int every_;
   const bool lists_misses_;
-  const std::string folder_ = SourceFolder() + "/robot_app/knowledge/language";
   Diagnostics diagnostics_;
   knowledge::SampleDatabase sample_;
-  const knowledge::IntentTable table_ =
-      knowledge::LoadIntentTable(folder_ + "/intents.yaml", diagnostics_);
-  const knowledge::LanguageWords words_ =
-      knowledge::LoadLanguageWords(folder_, Language::kEnglish, diagnostics_);
-  const std::vector<knowledge::Name> names_ = knowledge::Names(*sample_);
-  const knowledge::Understander understander_{table_, words_, names_, Language::kEnglish};
+  const WallTime now_ = sample_.At("2026-11-25", 12);
+  std::unique_ptr<knowledge::Dialogue> dialogue_;
   const std::vector<SpokenExample> examples_ =
       knowledge::LoadExamples(SourceFolder() + "/tests/robot_app/knowledge/utterances.en.csv");
   const Synthesizer voices_;

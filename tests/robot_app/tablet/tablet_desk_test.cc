@@ -154,6 +154,26 @@ TEST_F(TabletDeskTest, ShowsWhatWasAnsweredToSomebodyWhoSpoke) {
   EXPECT_FALSE(Call({{"do", "state"}, {"said", 2}}).contains("said"));
 }
 
+TEST_F(TabletDeskTest, AQuestionBackIsAnsweredByAButton) {
+  const json asked = Call({{"do", "ask"}, {"text", "where is the office of Weber"}});
+  EXPECT_EQ(asked["choices"], json::parse(R"(["Prof. Dr. Anna Weber", "Dr. Paul Weber"])"));
+  const json answer = Call({{"do", "choose"}, {"number", 1}});
+  EXPECT_THAT(answer["text"].get<std::string>(), HasSubstr("Dr. Paul Weber is in office 203"));
+  EXPECT_TRUE(Call({{"do", "choose"}, {"number", 1}}).contains("error"));
+}
+
+TEST_F(TabletDeskTest, WhatWasAskedBackAloudIsAnsweredByAButton) {
+  desk_->ChangeView([](TabletView& view) {
+    view.said = {knowledge::AnswerMood::kAsking, "Did you ask where the library is?", {}, false};
+    view.said.choices = {
+        {"Yes", {knowledge::Intent::kFindPlace, {{knowledge::Kind::kPlace, "library"}}}},
+        {"No", {knowledge::Intent::kCancel, {}}}};
+    ++view.said_number;
+  });
+  EXPECT_EQ(Call({{"do", "state"}})["said"]["choices"][0], "Yes");
+  EXPECT_EQ(Call({{"do", "choose"}, {"number", 0}})["place"], "library");
+}
+
 TEST_F(TabletDeskTest, ShowsTheRestWhenATopicSaysWhatIsNoText) {
   desk_->ChangeView([](TabletView& view) {
     view.outcome = "\xff\xfe";
@@ -179,7 +199,8 @@ TEST_F(TabletDeskTest, WhatIsNoCallIsRefusedAndLeadsToNothing) {
        {"", "{", "[]", "7", "{\"do\":7}", "{\"do\":\"restart\"}",
         "{\"do\":\"press\",\"path\":[\"nowhere\"]}", "{\"do\":\"press\"}",
         "{\"do\":\"talk\",\"on\":\"yes\"}", "{\"do\":\"screen\",\"path\":[1]}",
-        "{\"do\":\"ask\",\"text\":\"\xff\xfe\"}", "{\"do\":\"guide\",\"place\":[]}"}) {
+        "{\"do\":\"ask\",\"text\":\"\xff\xfe\"}", "{\"do\":\"guide\",\"place\":[]}",
+        "{\"do\":\"choose\",\"number\":-1}"}) {
     EXPECT_TRUE(json::parse(desk_->Reply(call)).is_object()) << call;
   }
   const std::string deep(10000, '[');

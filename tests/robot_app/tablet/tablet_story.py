@@ -1,5 +1,6 @@
 """A visitor at the robot's tablet, in Chromium: finds a room by its category, is led there, speaks,
-searches somebody with a misspelt name, changes the language, and goes away.
+searches somebody with a misspelt name, is asked back whom of two he means, changes the language, and
+goes away.
 
 usage: tablet_story.py URL FOLDER_FOR_PICTURES
 """
@@ -83,6 +84,18 @@ def searches_somebody(visitor):
     visitor.photograph("person")
 
 
+def is_asked_back(visitor):
+    visitor.browser.evaluate("document.getElementById('question').value = ''")
+    visitor.tap("#question")
+    visitor.browser.call("Input.insertText", text="wo sitzt Weber")
+    visitor.tap("#find")
+    is_told(visitor, "Meinen Sie")
+    visitor.photograph("choice")
+    press(visitor, "Paul Weber")
+    is_told(visitor, "203")
+    visitor.sees("the buttons of the start", button("Personen"))
+
+
 def asks_what_nobody_knows(visitor):
     visitor.browser.evaluate("document.getElementById('question').value = ''")
     visitor.tap("#question")
@@ -125,6 +138,7 @@ def visit(visitor, url):
     is_led_there(visitor)
     talks(visitor)
     searches_somebody(visitor)
+    is_asked_back(visitor)
     asks_what_nobody_knows(visitor)
     goes_away(visitor)
     cannot_leave_the_page(visitor, url)

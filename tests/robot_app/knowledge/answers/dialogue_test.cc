@@ -9,6 +9,7 @@
 namespace coppice::robot::knowledge {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -27,6 +28,9 @@ class DialogueTest : public testing::Test {
     return Ask(text);
   }
   Answer Hear(const std::string& text) { return dialogue_->Hear(text, now_); }
+  HeardAnswer HearOneOf(const std::vector<Alternative>& heard) {
+    return dialogue_->Hear(heard, now_);
+  }
 
   SampleDatabase sample_;
   WallTime now_ = sample_.At("2026-11-25", 12);
@@ -55,6 +59,67 @@ TEST_F(DialogueTest, AQuestionBackIsAnsweredByNameNumberOrYes) {
   EXPECT_THAT(Ask("the first one"), StartsWith("Prof. Dr. Anna Weber is in office 101"));
   EXPECT_EQ(Hear("office of Weber").mood, AnswerMood::kAsking);
   EXPECT_EQ(Ask("no thanks"), "All right.");
+  EXPECT_EQ(Ask("yes"), "I have not asked anything.");
+}
+
+TEST_F(DialogueTest, WhatWasHeardUncertainlyIsAskedBack) {
+  const HeardAnswer asked = HearOneOf(
+      {{"where is the library", 4}, {"when does the library open", 4}, {"the moon was blue", 2}});
+  EXPECT_EQ(asked.answer.text, "Did you ask where the library is, or when the library is open?");
+  EXPECT_EQ(asked.answer.mood, AnswerMood::kAsking);
+  ASSERT_THAT(asked.answer.choices, SizeIs(2));
+  EXPECT_EQ(asked.answer.choices[1].label, "When the library is open");
+  EXPECT_EQ(Ask("the second one"), "The library is open today from 08:00 to 22:00.");
+}
+
+TEST_F(DialogueTest, PlacesThatSoundAlikeAreAskedBackByName) {
+  const std::vector<Alternative> heard = {{"where is hall A", 5}, {"where is hall B", 5}};
+  EXPECT_EQ(HearOneOf(heard).answer.text, "Did you mean lecture hall A or lecture hall B?");
+  EXPECT_EQ(Hear("lecture hall B").place, "hall_b");
+  dialogue_->set_language(Language::kGerman);
+  EXPECT_EQ(HearOneOf({{"wo ist Hörsaal A", 5}, {"wo ist Hörsaal B", 5}}).answer.text,
+            "Meinen Sie Hörsaal A oder Hörsaal B?");
+}
+
+TEST_F(DialogueTest, ASingleCandidateIsAgreedToOrNot) {
+  const std::vector<Alternative> heard = {
+      {"where is the library", 5}, {"the moon was blue", 3}, {"goodbye", 2}};
+  const HeardAnswer asked = HearOneOf(heard);
+  EXPECT_EQ(asked.answer.text, "Did you ask where the library is?");
+  ASSERT_THAT(asked.answer.choices, SizeIs(2));
+  EXPECT_EQ(asked.answer.choices[0].label, "Yes");
+  EXPECT_EQ(Hear("yes").place, "library");
+  HearOneOf(heard);
+  EXPECT_EQ(Ask("no"), "All right.");
+  dialogue_->set_language(Language::kGerman);
+  EXPECT_EQ(HearOneOf({{"wann öffnet die Bibliothek", 5}, {"der Mond war blau", 4}, {"danke", 1}})
+                .answer.text,
+            "Haben Sie gefragt, wann die Bibliothek geöffnet hat?");
+  EXPECT_EQ(dialogue_->Press({Intent::kYes, {}}, now_).text,
+            "Die Bibliothek ist heute von 08:00 bis 22:00 geöffnet.");
+}
+
+TEST_F(DialogueTest, WhatWasHardlyHeardIsNeitherActedOnNorNoted) {
+  const HeardAnswer refused =
+      HearOneOf({{"the moon was blue", 5}, {"take me to the library", 4}, {"goodbye", 1}});
+  EXPECT_EQ(refused.answer.text, "I am sorry, I did not understand that. Please say it again.");
+  EXPECT_EQ(refused.answer.mood, AnswerMood::kUnknown);
+  EXPECT_EQ(refused.text, "");
+  EXPECT_THAT(UnknownRequests(*sample_), IsEmpty());
+  EXPECT_EQ(HearOneOf({}).answer.text, refused.answer.text);
+}
+
+TEST_F(DialogueTest, AYesToTwoIsAskedAgain) {
+  const std::string question = Ask("office of Weber");
+  EXPECT_EQ(Ask("yes"), question);
+  EXPECT_THAT(Ask("the second one"), StartsWith("Dr. Paul Weber is in office 203"));
+}
+
+TEST_F(DialogueTest, AQuestionIsOpenForAWhileOnly) {
+  Ask("office of Weber");
+  EXPECT_THAT(dialogue_->ExpectedNames(now_), Contains("Paul Weber"));
+  now_ += OpenQuestion::kPatience + std::chrono::seconds(1);
+  EXPECT_THAT(dialogue_->ExpectedNames(now_), IsEmpty());
   EXPECT_EQ(Ask("yes"), "I have not asked anything.");
 }
 

@@ -6,6 +6,7 @@
 #include "robot_app/speech/mouth/synthesizer.h"
 #include "tests/robot_app/knowledge/language_files.h"
 #include "tests/robot_app/knowledge/sample_database.h"
+#include "tests/robot_app/speech/noisy_speech.h"
 
 namespace coppice::robot::speech {
 namespace {
@@ -23,12 +24,16 @@ class RecognizerTest : public testing::Test {
   }
   static void TearDownTestSuite() { recognizer_.reset(); }
 
+  static Sound Said(const std::string& text) {
+    return InNoise(Synthesizer().Speak(text, {"en-us+f2", 140})->sound, 30, 1);
+  }
   static std::string Heard(const std::string& text) {
-    Sound sound = Synthesizer().Speak(text, {"en-us+f2", 140})->sound;
-    const std::vector<std::int16_t> silence(static_cast<std::size_t>(sound.rate) / 3);
-    sound.samples.insert(sound.samples.begin(), silence.begin(), silence.end());
-    sound.samples.insert(sound.samples.end(), silence.begin(), silence.end());
-    const auto alternatives = recognizer_->Recognize(sound);
+    return BestOf(recognizer_->Recognize(Said(text)));
+  }
+  static std::string Replied(const std::string& text) {
+    return BestOf(recognizer_->RecognizeReply(Said(text), {"Anna Weber", "Paul Weber"}));
+  }
+  static std::string BestOf(const std::vector<knowledge::Alternative>& alternatives) {
     return alternatives.empty() ? "" : alternatives.front().text;
   }
 
@@ -48,6 +53,18 @@ TEST_F(RecognizerTest, HearsANameThatIsInNoDictionary) {
 TEST_F(RecognizerTest, HearsARoomByItsNumber) {
   const std::string heard = Heard("who works in office two oh three");
   EXPECT_NE(heard.find("203"), std::string::npos) << heard;
+}
+
+TEST_F(RecognizerTest, HearsWhatIsRepliedToAQuestionBack) {
+  EXPECT_EQ(Replied("yes"), "yes");
+  EXPECT_EQ(Replied("no thanks"), "no thanks");
+  EXPECT_EQ(Replied("the second one"), "the second one");
+  EXPECT_EQ(Replied("Paul Weber"), "paul weber");
+}
+
+TEST_F(RecognizerTest, WhatIsNoReplyIsHeardAsSomethingNew) {
+  EXPECT_EQ(Replied("take me to the sports hall"), "");
+  EXPECT_EQ(Heard("take me to the sports hall"), "take me to the sports hall");
 }
 
 TEST_F(RecognizerTest, SilenceIsNothing) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <set>
 
 #include "robot_app/knowledge/store/queries.h"
 #include "tests/robot_app/knowledge/language_files.h"
@@ -55,6 +56,33 @@ TEST(SpokenSentences, ANameAloneIsOneWhereItMeansSomething) {
 
 TEST(SpokenSentences, NamesOfAnotherLanguageAreLeftOut) {
   EXPECT_THAT(Sentences(), Not(Contains(Key("where is bibliothek"))));
+}
+
+TEST(SpokenSentences, WhatIsContractedStandsBothWays) {
+  EXPECT_THAT(Sentences(), Contains(Key("wheres the copy shop")));
+}
+
+TEST(SpokenSentences, AFamilyNameStandsWithTitles) {
+  EXPECT_THAT(Sentences(), Contains(Key("where is mrs brandt")));
+}
+
+TEST(SpokenSentences, ASecondSlotIsFilled) {
+  EXPECT_THAT(Sentences(), Contains(Key("is the library open tomorrow")));
+  EXPECT_THAT(Sentences(), Contains(Key("when does line 4 to marktplatz leave")));
+}
+
+TEST(SpokenSentences, AReplyIsYesNoANumberOrAName) {
+  std::set<std::string> replies;
+  const auto add = [&replies](const Sentence& sentence, double) {
+    std::string text;
+    for (const std::string& word : sentence) text += (text.empty() ? "" : " ") + word;
+    replies.insert(text);
+  };
+  const auto& files = knowledge::ShippedLanguageFiles();
+  ForEachReply({files.intents, In(Language::kEnglish, files.words), {}}, add);
+  ForEachNamed({"the library"}, add);
+  EXPECT_THAT(replies, testing::IsSupersetOf({"yes", "no thanks", "the second one", "library"}));
+  EXPECT_THAT(replies, Not(Contains("the third one")));
 }
 
 TEST(SpokenSentences, TheWeightsOfARowAddUpToAboutOne) {
