@@ -22,6 +22,7 @@ constexpr char kHelp[] =
     "coppice-localization: finds and follows the robot on the map, as the ROS node /localization.\n"
     "  subscribes  /map /scan /odometry/filtered /tf_static (of the scanner)\n"
     "              /initialpose (geometry_msgs/PoseWithCovarianceStamped: a person says where)\n"
+    "              /localization/hint (the same: a place is recognized, to be confirmed by the scan)\n"
     "  publishes   tf map -> odom, /localization/pose with covariance, /localization/state\n"
     "  service     /global_localization (std_srvs/Empty: forget the pose, search the whole map)\n"
     "Where the robot may be at the start is believed only if the first scan fits there, and\n"
@@ -118,6 +119,12 @@ class LocalizationNode {
         "/initialpose", 1, [this](const geometry_msgs::PoseWithCovarianceStamped& message) {
           OnInitialPose(message);
         });
+    On<geometry_msgs::PoseWithCovarianceStamped>(
+        "/localization/hint", 5, [this](const geometry_msgs::PoseWithCovarianceStamped& message) {
+          if (message.header.frame_id == settings_.frames.map && IsValid(message.pose.pose)) {
+            localizer_.AddHint(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
+          }
+        });
   }
 
   // Whoever shows the map may have been restarted: the same map again says nothing new.
@@ -190,6 +197,7 @@ class LocalizationNode {
     state.seconds_since_confirmed = report.seconds_since_confirmed;
     state.score = report.score;
     state.deviation = report.deviation;
+    state.seconds_since_recognized = report.seconds_since_recognized;
     state.message = report.message;
     state_.publish(state);
     if (report.phase != phase_) ROS_INFO("%s", report.message.c_str());

@@ -29,7 +29,10 @@ constexpr int kSeenThroughWalls = 3;     // beams, more than at the better place
 constexpr int kTwice = 2;                // searches in a row that find nothing better: it holds
 constexpr double kSoon = 0.5;            // the next search, when in doubt [s]
 constexpr double kFreshAtLeast = 0.3;
-constexpr double kSetBack = 1;          // time itself was set back, not a scan overtaken [s]
+constexpr double kSetBack = 1;       // time itself was set back, not a scan overtaken [s]
+constexpr double kHintWithin = 0.5;  // m
+constexpr double kHintTurn = 0.2;    // rad
+constexpr double kOtherView = 0.3;   // m, rad: between two hints that do not depend on each other
 constexpr double kLookAroundAfter = 1;  // not confirmed for so long [s]
 
 }  // namespace
@@ -57,6 +60,8 @@ void Localizer::Relocalize() {
   doubted_ = false;
   contested_ = 0;
   rivals_ = 0;
+  hint_.reset();
+  elsewhere_.reset();
 }
 
 void Localizer::SetPose(const Pose2D& pose, double deviation, double yaw_deviation) {
@@ -76,7 +81,14 @@ void Localizer::PutAt(const Pose2D& pose, bool proven) {
   doubted_ = false;
   contested_ = 0;
   rivals_ = 0;
+  elsewhere_.reset();
   view_.Clear();
+}
+
+void Localizer::AddHint(double stamp, const Pose2D& pose) {
+  const auto odometry = history_.At(stamp);
+  if (!odometry || !begun_ || stamp <= doubted_at_) return;
+  hint_ = Hint{Compose(pose, RelativeTo(*odometry, Pose2D{})), *odometry, history_.frame()};
 }
 
 std::optional<Pose2D> Localizer::pose() const {
@@ -116,6 +128,7 @@ void Localizer::Process(const LaserScan& scan, const Pose2D& odometry) {
     Follow(beams);
     Judge(beams);
   }
+  if (TakeHint(beams)) return;
   // Though another place fits better, nothing speaks against this one yet but that.
   const bool holds = fits_ && proven_ && !doubted_;
   if (stamp_ - confirmed_ > kLookAroundAfter && !holds) {
@@ -141,6 +154,9 @@ void Localizer::Begin(double stamp) {
 // Perhaps the robot was carried away: what was seen before proves nothing.
 void Localizer::Doubt() {
   doubted_ = true;
+  doubted_at_ = stamp_;
+  hint_.reset();
+  elsewhere_.reset();
   view_.Clear();
   next_search_ = stamp_;
 }
@@ -259,6 +275,59 @@ bool Localizer::FitsBetterElsewhere(const std::vector<Beam>& beams, int through,
   return there.share() > here.share() + clearly && there.through + through <= here.through;
 }
 
+// True: it is believed, and the robot stands where it says.
+bool Localizer::TakeHint(const std::vector<Beam>& beams) {
+  if (!hint_) return false;
+  const Hint hint = *hint_;
+  hint_.reset();
+  if (hint.frame != frame_) return false;
+  const Pose2D expected = Compose(hint.odom_in_map, odometry_);
+  const Pose2D matched = MatchScan(map_->field, beams, expected);
+  const Agreement there = Agree(map_->field, beams, matched);
+  if (Distance(matched, expected) > kHintWithin ||
+      std::abs(NormalizeAngle(matched.yaw - expected.yaw)) > kHintTurn ||
+      there.agree < kFewestAgreeing || there.score() < settings_.agree ||
+      !FitsAsWellAsAnywhere(beams, matched)) {
+    return false;
+  }
+  const bool is_here = !filter_.empty() && IsSamePlace(matched, pose_);
+  if (is_here && fits_) {
+    proven_ = true;
+    doubted_ = jumped_ = false;
+    contested_ = 0;
+    rivals_ = 0;
+    elsewhere_.reset();
+  } else if (is_here || !fits_ || !proven_ || IsSecondHint(hint)) {
+    filter_.Set(matched, 0.1, 0.05);
+    PutAt(matched, true);
+  } else {
+    Doubt();
+    proven_ = false;
+    elsewhere_ = hint;
+    return false;
+  }
+  recognized_ = stamp_;
+  return true;
+}
+
+bool Localizer::FitsAsWellAsAnywhere(const std::vector<Beam>& beams, const Pose2D& pose) const {
+  std::vector<Beam> all = view_.From(odometry_);
+  all.insert(all.end(), beams.begin(), beams.end());
+  const std::vector<FittingPlace> places = map_->search.Find(all, 1);
+  return places.empty() || Agree(map_->field, all, pose).share() + settings_.margin >
+                               places.front().agreement.share();
+}
+
+// Of another view than the one before, and of the same place.
+bool Localizer::IsSecondHint(const Hint& hint) const {
+  if (!elsewhere_ || elsewhere_->frame != hint.frame) return false;
+  const bool is_other_view =
+      Distance(elsewhere_->odometry, hint.odometry) > kOtherView ||
+      std::abs(NormalizeAngle(elsewhere_->odometry.yaw - hint.odometry.yaw)) > kOtherView;
+  return is_other_view && IsSamePlace(Compose(elsewhere_->odom_in_map, odometry_),
+                                      Compose(hint.odom_in_map, odometry_));
+}
+
 void Localizer::LookAround(const std::vector<Beam>& beams) {
   if (view_.empty()) view_since_ = stamp_;
   const bool grown = view_.Add(odometry_, beams);
@@ -301,10 +370,11 @@ void Localizer::Consider(const std::vector<FittingPlace>& places) {
 LocalizationReport Localizer::Report(double now) const {
   LocalizationReport report;
   if (!begun_) {
-    report.deviation = std::numeric_limits<double>::infinity();
+    report.deviation = report.seconds_since_recognized = std::numeric_limits<double>::infinity();
     report.message = map_ ? "waits for the first scan with odometry" : "waits for the map";
     return report;
   }
+  report.seconds_since_recognized = std::max(0.0, now - recognized_);
   report.seconds_since_confirmed = std::max(0.0, now - confirmed_);
   report.score = filter_.empty() ? 0 : agreement_.score();
   report.deviation =

@@ -10,7 +10,8 @@
 // whole map is searched for a place that fits better: a corridor looks alike along its whole
 // length, and a robot that was carried along it would not notice otherwise. When much of what the
 // scanner sees changes at once while the odometry knows of no motion, that is suspicious, and less
-// is needed to doubt. Not confirmed for a
+// is needed to doubt. A hint of somebody who recognizes places, as by pictures, is believed if the
+// scan fits there: it proves one of several places that fit equally well. Not confirmed for a
 // while: UNCERTAIN, then LOST. Where several places fit equally it says so and stays UNCERTAIN,
 // until the robot has seen more or a person helps; it never picks one.
 //
@@ -18,6 +19,7 @@
 #ifndef COPPICE_ROBOT_APP_LOCALIZATION_LOCALIZER_H_
 #define COPPICE_ROBOT_APP_LOCALIZATION_LOCALIZER_H_
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,7 +51,8 @@ struct LocalizationReport {
   double seconds_since_confirmed = 0;
   double score = 0;      ///< of the last scan at the estimated pose, 0..1
   double deviation = 0;  ///< standard deviation of the position; infinite if there is none [m]
-  std::string message;   ///< for people
+  double seconds_since_recognized = 0;  ///< that was believed; infinite: never
+  std::string message;                  ///< for people
 };
 
 class Localizer {
@@ -73,6 +76,13 @@ class Localizer {
   /// Forgets where the robot is and searches the whole map.
   void Relocalize();
 
+  /// Somebody recognizes a place: base_link was at about `pose` (to half a metre and 10 degrees) at
+  /// `stamp`, at most 5 s ago. Believed only if the next scan fits there as well as anywhere, with
+  /// all that was seen since the robot looks around. While the robot is sure to be elsewhere, two
+  /// hints from different views are needed. What is older than a doubt that the robot was carried
+  /// away is not used.
+  void AddHint(double stamp, const Pose2D& pose);
+
   /// base_link in the odometry frame. If the frame itself has jumped (its source was restarted) the
   /// robot is believed to stand about where it stood before.
   void AddOdometry(double stamp, const Pose2D& pose);
@@ -90,7 +100,13 @@ class Localizer {
   LocalizationReport Report(double now) const;
 
  private:
+  static constexpr double kHintsUpTo = 5;  // s, old
   struct Map;
+  struct Hint {
+    Pose2D odom_in_map;
+    Pose2D odometry;  // of base_link when it was seen
+    int frame = 0;    // of the history
+  };
   void Process(const LaserScan& scan, const Pose2D& odometry);
   void Begin(double stamp);
   void Doubt();
@@ -102,13 +118,16 @@ class Localizer {
   void LookForBetter(const std::vector<Beam>& beams);
   bool IsBetterElsewhere(const std::vector<Beam>& beams);
   bool FitsBetterElsewhere(const std::vector<Beam>& beams, int through, double clearly) const;
+  bool TakeHint(const std::vector<Beam>& beams);
+  bool FitsAsWellAsAnywhere(const std::vector<Beam>& beams, const Pose2D& pose) const;
+  bool IsSecondHint(const Hint& hint) const;
   void Consider(const std::vector<FittingPlace>& places);
   void PutAt(const Pose2D& pose, bool proven);
 
   LocalizerSettings settings_;
   std::unique_ptr<Map> map_;
   ParticleFilter filter_;
-  PoseHistory history_;
+  PoseHistory history_{kHintsUpTo};
   std::optional<LaserScan> waiting_;
   LocalView view_;
   ScanChange change_;
@@ -136,6 +155,10 @@ class Localizer {
   bool looking_ = false;  // around, for what to make of this place
   double view_since_ = 0;
   double next_search_ = 0;
+  std::optional<Hint> hint_;       // waits for the next scan
+  std::optional<Hint> elsewhere_;  // fits, though the robot is sure to be somewhere else
+  double recognized_ = -std::numeric_limits<double>::infinity();  // when one was believed
+  double doubted_at_ = -std::numeric_limits<double>::infinity();  // hints before do not count
 };
 
 }  // namespace coppice::robot::localization
