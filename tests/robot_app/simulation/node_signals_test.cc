@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kSimulator = BinaryFolder() + "/bin/coppice-simulator";
+const std::string kProgram = BinaryFolder() + "/bin/coppice-simulator";
 
 // The third field of /proc/PID/stat: R running, S sleeping, T stopped ...
 char StateOf(pid_t pid) {
@@ -38,7 +38,7 @@ bool Knows(const std::string& node) {
 }
 
 TEST(NodeSignals, StopResumeAndKillTheProcessOfANode) {
-  ChildProcess victim({kSimulator, "__name:=victim"}, testing::TempDir() + "victim.log");
+  ChildProcess victim({kProgram, "__name:=victim"}, testing::TempDir() + "victim.log");
   ASSERT_TRUE(Eventually([] { return Knows("/victim"); }));
   NodeSignals signals = MakeSignals();
   const Change stopped = signals.Send("/victim", SIGSTOP);
