@@ -79,6 +79,25 @@ class SpeechNodeTest : public testing::Test {
     return ask.response.answer.place;
   }
 
+  coppice_msgs::Answer Asked(const std::string& text, const std::string& who) {
+    coppice_msgs::Ask ask;
+    ask.request.text = text;
+    ask.request.who = who;
+    EXPECT_TRUE(ros::service::call("/speech/ask", ask));
+    return ask.response.answer;
+  }
+
+  // In a file, as if it were said now.
+  void SpeakTo(const std::string& text, const std::string& who) {
+    const Sound said = Synthesizer().Speak(text, {"en-us+m6", 140})->sound;
+    ASSERT_TRUE(WriteWav(folder_.Path("question.wav"), said));
+    coppice_msgs::HearFile hear;
+    hear.request.path = folder_.Path("question.wav");
+    hear.request.who = who;
+    ASSERT_TRUE(ros::service::call("/speech/hear_file", hear));
+    EXPECT_TRUE(hear.response.ok) << hear.response.message;
+  }
+
   TemporaryFolder folder_;
   ros::NodeHandle node_;
   ros::Publisher tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10);
@@ -148,15 +167,32 @@ TEST_F(SpeechNodeTest, AQuestionThatIsAskedBackIsGoneForSomebodyElse) {
   EXPECT_NE(ask.response.answer.intent, "find_person");
 }
 
-TEST_F(SpeechNodeTest, ARecordingIsHeardUnderstoodAndAnsweredAloud) {
-  const Sound said = Synthesizer().Speak("where is the copy shop", {"en-us+f2", 140})->sound;
-  ASSERT_TRUE(WriteWav(folder_.Path("question.wav"), said));
-  coppice_msgs::HearFile hear;
-  hear.request.path = folder_.Path("question.wav");
+TEST_F(SpeechNodeTest, AQuestionThatIsAskedBackIsAnsweredAloud) {
+  const coppice_msgs::Answer asked = Asked("where is the office of Weber", "anna");
+  ASSERT_EQ(asked.choices.size(), 2U);
+  EXPECT_EQ(asked.choices[1].label, "Dr. Paul Weber");
   Latest<coppice_msgs::Answer> answer(node_, "/speech/answer");
   ASSERT_TRUE(Eventually([&] { return answer.is_connected(); }));
-  ASSERT_TRUE(ros::service::call("/speech/hear_file", hear));
-  EXPECT_TRUE(hear.response.ok) << hear.response.message;
+  SpeakTo("the second one", "anna");
+  ASSERT_TRUE(Eventually([&] { return answer.get() != nullptr; }));
+  EXPECT_EQ(answer.get()->heard.text, "the second one");
+  EXPECT_EQ(answer.get()->slots, std::vector<std::string>{"person=paul_weber"});
+}
+
+TEST_F(SpeechNodeTest, WhatTheTabletAnswersEndsTheQuestion) {
+  ros::Publisher tablet = node_.advertise<coppice_msgs::Answer>("/speech/answer", 1);
+  ASSERT_TRUE(Eventually([&] { return tablet.getNumSubscribers() > 0; }));
+  EXPECT_TRUE(Eventually([&] {  // it may come after what is said next
+    Asked("where is the office of Weber", "anna");
+    tablet.publish(coppice_msgs::Answer());
+    return Asked("the second one", "anna").intent != "find_person";
+  }));
+}
+
+TEST_F(SpeechNodeTest, ARecordingIsHeardUnderstoodAndAnsweredAloud) {
+  Latest<coppice_msgs::Answer> answer(node_, "/speech/answer");
+  ASSERT_TRUE(Eventually([&] { return answer.is_connected(); }));
+  SpeakTo("where is the copy shop", "");
   ASSERT_TRUE(Eventually([&] { return answer.get() != nullptr; }));
   EXPECT_EQ(answer.get()->heard.text, "where is the copy shop");
   EXPECT_EQ(answer.get()->place, "copy_shop");
