@@ -1,10 +1,14 @@
 // Faults of charging, in a robot at six times real time. Times are ROS time.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <csignal>
 #include <memory>
 #include <set>
 #include <string>
 
+#include "robot_app/common/places/pose_file.h"
+#include "tests/robot_app/text_of.h"
 #include "tests/support/folders.h"
 #include "tests/system/fault_case.h"
 
@@ -84,6 +88,47 @@ TEST_F(DockingFaults, ContactWithoutCurrentIsNoCharging) {
   EXPECT_TRUE(rig_->With([](const RobotState& state) { return state.charging(); }));
   fault.ExpectOnlyRestarted(kRestWhileCharging);
   fault.ExpectNobodyAsked();
+}
+
+// Half a metre and twenty degrees from where the map of places says; nobody has told the robot.
+TEST(MovedStation, IsFoundByItsLandmarkLearnedAndFoundAgainByADockingThatWasKilled) {
+  RobotRig rig(Options("moved_station", "0.26"));
+  ASSERT_TRUE(rig.Start());
+  const Instant begin = rig.Now();
+  ASSERT_TRUE(rig.Inject("move_station", "-0.2 0.45 -0.35"));
+  ASSERT_TRUE(WaitForCurrent(rig, 120)) << rig.TimelineSince(begin);
+  const Pose2D station = Compose(Pose2D{-2.4, 0, M_PI}, {-0.2, 0.45, -0.35});
+  const std::string file = (rig.folder() / "institute/station").string();
+  const auto is_learned = [&] {
+    const auto kept = LoadPose(file);
+    return kept && Distance(*kept, station) < 0.1 &&
+           std::abs(NormalizeAngle(kept->yaw - station.yaw)) < 0.05;
+  };
+  EXPECT_TRUE(rig.WaitFor([&](const RobotState&) { return is_learned(); }, 30)) << TextOf(file);
+
+  const int pid = rig.With([](const RobotState& state) { return state.Pid("docking"); });
+  ASSERT_TRUE(rig.Signal("docking", SIGKILL));
+  ASSERT_TRUE(rig.WaitFor(
+      [pid](const RobotState& state) {
+        return state.ReadyPid("docking") != 0 && state.ReadyPid("docking") != pid;
+      },
+      60));
+  ASSERT_TRUE(rig.Inject("set_battery", "", 0.95));  // it goes to work,
+  ASSERT_TRUE(rig.WaitFor(
+      [](const RobotState& state) { return !state.charging() && state.truth().x > -1; }, 120))
+      << rig.TimelineSince(begin);
+  ASSERT_TRUE(rig.Inject("set_battery", "", 0.26));  // and home again
+  ASSERT_TRUE(WaitForCurrent(rig, 240)) << rig.TimelineSince(begin);
+  EXPECT_TRUE(is_learned()) << TextOf(file);
+  // At the first attempt both times, and nobody had to help.
+  rig.With([](const RobotState& state) {
+    for (const Event& event : state.events()) {
+      const bool has_failed =
+          event.kind == Event::Kind::kRecovery && event.value == RecoveryEvent::FAILED;
+      EXPECT_FALSE(has_failed) << event.subject;
+    }
+    EXPECT_TRUE(state.requests().empty());
+  });
 }
 
 // The application never looks at the battery, as if its signal had got lost.
