@@ -16,8 +16,10 @@ namespace coppice::leaves {
 class Interaction {
  public:
   virtual ~Interaction() = default;
-  /// Speaks a text. Reported as done when it has been spoken.
-  virtual void Say(const std::string& text, Sender<ActionResult> done) = 0;
+  /// Speaks a text, with a voice of its language: en, de ...; empty: the one that is spoken now.
+  /// Reported as done when it has been spoken.
+  virtual void Say(const std::string& text, const std::string& language,
+                   Sender<ActionResult> done) = 0;
   virtual void CancelSpeech() = 0;
 
   Turn turn;  ///< of Say

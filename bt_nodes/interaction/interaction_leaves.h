@@ -16,7 +16,7 @@ class Say : public CapabilityAction {
   Input<std::string> text{this, "text", "what to say"};
 
  protected:
-  void Begin(Sender<ActionResult> done) override { interaction_.Say(*text, done); }
+  void Begin(Sender<ActionResult> done) override { interaction_.Say(*text, "", done); }
   void Cancel() override { interaction_.CancelSpeech(); }
   Turn* turn() override { return &interaction_.turn; }
 

@@ -95,7 +95,7 @@ class SayPhrase : public CapabilityAction {
 
  protected:
   void Begin(Sender<ActionResult> done) override {
-    interaction_.Say(phrases_.Text(*phrase, *language, *about), done);
+    interaction_.Say(phrases_.Text(*phrase, *language, *about), *language, done);
   }
   void Cancel() override { interaction_.CancelSpeech(); }
   Turn* turn() override { return &interaction_.turn; }

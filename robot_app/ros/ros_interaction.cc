@@ -25,10 +25,12 @@ RosInteraction::RosInteraction(ros::NodeHandle& node)
       shown_(node.advertise<std_msgs::String>("/speech", 10)),
       speak_(node, "/speak", ResultOf) {}
 
-void RosInteraction::Say(const std::string& text, Sender<leaves::ActionResult> done) {
+void RosInteraction::Say(const std::string& text, const std::string& language,
+                         Sender<leaves::ActionResult> done) {
   if (!has_mouth()) return Show(text, done);
   coppice_msgs::SpeakGoal goal;
   goal.text = text;
+  goal.language = language;
   goal.priority = coppice_msgs::SpeakGoal::NORMAL;
   speak_.Start(goal, done);
 }

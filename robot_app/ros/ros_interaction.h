@@ -18,7 +18,8 @@ class RosInteraction : public leaves::Interaction {
  public:
   explicit RosInteraction(ros::NodeHandle& node);
 
-  void Say(const std::string& text, Sender<leaves::ActionResult> done) override;
+  void Say(const std::string& text, const std::string& language,
+           Sender<leaves::ActionResult> done) override;
   void CancelSpeech() override;
   bool has_mouth() { return speak_.is_connected(); }
 

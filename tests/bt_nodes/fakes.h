@@ -25,6 +25,7 @@ class FakeRobot : public Navigator,
                   public RecoveryLog {
  public:
   std::vector<std::string> calls;
+  std::vector<std::string> voices;  ///< languages in which something was said
   std::vector<RecoveryEvent> events;
   std::map<std::string, Sender<ActionResult>> open_requests;  ///< for help, by subject
 
@@ -95,7 +96,9 @@ class FakeRobot : public Navigator,
   void Undock(Sender<ActionResult> sender) override { Begin("Undock", sender); }
   void CancelDocking() override { calls.push_back("CancelDocking"); }
 
-  void Say(const std::string& text, Sender<ActionResult> sender) override {
+  void Say(const std::string& text, const std::string& language,
+           Sender<ActionResult> sender) override {
+    voices.push_back(language);
     Begin("Say " + text, sender);
   }
   void CancelSpeech() override { calls.push_back("CancelSpeech"); }

@@ -22,7 +22,8 @@ class Surface : public leaves::Interaction,
  public:
   Surface(World& world, const Programs& programs) : world_(world), programs_(programs) {}
 
-  void Say(const std::string& text, Sender<leaves::ActionResult> done) override {
+  void Say(const std::string& text, const std::string& /*language*/,
+           Sender<leaves::ActionResult> done) override {
     CancelSpeech();
     const double letters = static_cast<double>(text.size());
     const bool speaks = programs_.Works("/speech");

@@ -143,6 +143,7 @@ TEST(SayPhrase, SpeaksTheVisitorsLanguage) {
   leaf.Set("about", std::string("Mensa"));
   EXPECT_EQ(leaf.Tick(), Status::kRunning);
   EXPECT_THAT(robot.calls, ElementsAre("Say ARRIVED de Mensa"));
+  EXPECT_THAT(robot.voices, ElementsAre("de"));
   robot.done.Send({true, ""});
   EXPECT_EQ(leaf.Tick(), Status::kSuccess);
   leaf.Tick();
