@@ -14,7 +14,9 @@
 #include "bt_core/model/write_file.h"
 #include "robot_app/common/compressed_picture.h"
 #include "robot_app/common/limits/largest_allocation.h"
+#include "robot_app/mapping/map_file.h"
 #include "robot_app/slam/drawing/map_picture.h"
+#include "robot_app/slam/map/navigation_frame.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"
 
@@ -32,6 +34,9 @@ const Command kMap{
     "closed its loops.",
     {CommandOption::Text("--plan", "FILE", "paint it from above (JPEG)"),
      CommandOption::Text("--voxels", "FILE", "write the voxels as OctoMap reads them (.bt)"),
+     CommandOption::Text("--grid", "FILE",
+                         "write the grid as map servers read it (.yaml), in the frame of the\n"
+                         "map that the robot navigated on meanwhile, if it knew its place there"),
      CommandOption::Real("--resolution", "M", 0.02, 1, "of voxels and plan; else 0.1"),
      CommandOption::Whole("--session", "N", 1, 1000000,
                           "show the map in which this session lies; else 1"),
@@ -94,12 +99,29 @@ void Print(const LoadedMap& loaded) {
   }
 }
 
-int Paint(const LoadedMap& loaded, const Options& options) {
+int WriteGrid(const LoadedMap& loaded, std::uint32_t session, const Options& options) {
+  const VoxelMap voxels = VoxelsOf(MovedToNavigationMap(loaded.map), session,
+                                   MapperSettings().lidar, options.Real("--resolution", 0.1));
+  const OccupancyGrid grid = voxels.Project();
+  if (grid.frame.size() == 0) {
+    return Fail("there is nothing to write, or it lies too far apart for --resolution");
+  }
+  Diagnostics diagnostics;
+  if (mapping::SaveMap(options.Get("--grid"), grid, diagnostics)) return 0;
+  return Fail(diagnostics.ToString());
+}
+
+int WriteWhatIsAsked(const LoadedMap& loaded, const Options& options) {
   const auto session = static_cast<std::uint32_t>(options.Whole("--session", 1) - 1);
   if (session >= loaded.map.names.size()) {
     return Fail("there is no session " + std::to_string(session + 1) + "; the map has " +
                 std::to_string(loaded.map.names.size()));
   }
+  if (options.Has("--grid")) {
+    const int status = WriteGrid(loaded, session, options);
+    if (status != 0) return status;
+  }
+  if (!options.Has("--plan") && !options.Has("--voxels")) return 0;
   const VoxelMap voxels =
       VoxelsOf(loaded.map, session, MapperSettings().lidar, options.Real("--resolution", 0.1));
   if (options.Has("--voxels")) {
@@ -126,7 +148,9 @@ int Show(const Options& options) {
     std::fprintf(stderr, "coppice-map: %s; an older version is shown\n", loaded->remark.c_str());
   }
   Print(*loaded);
-  return options.Has("--plan") || options.Has("--voxels") ? Paint(*loaded, options) : 0;
+  return options.Has("--plan") || options.Has("--voxels") || options.Has("--grid")
+             ? WriteWhatIsAsked(*loaded, options)
+             : 0;
 }
 
 // A small file may claim to be a large map.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -23,6 +24,9 @@
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/perception/camera/rgbd_topics.h"
 #include "robot_app/perception/people/cloud_decoder.h"
+#include "robot_app/slam/graph_message.h"
+#include "robot_app/slam/localization_link.h"
+#include "robot_app/slam/map/navigation_frame.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"
 
@@ -30,27 +34,35 @@ namespace coppice::robot::slam {
 namespace {
 
 constexpr char kHelp[] =
-    "coppice-slam: makes a map in three dimensions over many sessions and knows where the robot is\n"
-    "on it, as the ROS node /slam. NAME is a camera: front or rear.\n"
+    "coppice-slam: makes a map in three dimensions over many sessions, knows where the robot is\n"
+    "on it, and tells the localization which places it recognizes, as the ROS node /slam. NAME is a\n"
+    "camera: front or rear.\n"
     "  subscribes  /odometry/filtered /velodyne_points /tf /tf_static (of the sensors)\n"
     "              /camera/NAME/color/image_raw/compressed /camera/NAME/color/camera_info\n"
     "              /camera/NAME/aligned_depth_to_color/image_raw/compressedDepth\n"
-    "  publishes   /slam/pose (geometry_msgs/PoseStamped, frame slam_map)\n"
+    "              /localization/state /localization/pose (where that is on the map that it navigates on)\n"
+    "  publishes   /localization/hint (geometry_msgs/PoseWithCovarianceStamped: a place is recognized)\n"
+    "              /slam/pose (geometry_msgs/PoseStamped)\n"
     "              /slam/grid (nav_msgs/OccupancyGrid, latched), /slam/graph (for RViz),\n"
     "              /diagnostics\n"
     "  service     /slam/save (std_srvs/Trigger: the next version of the map in ~map_folder)\n"
-    "Each start is a new session of the map in ~map_folder. A map is saved at the end, too.\n";
+    "Poses, grid and graph are given in the frame map once the localization has been sure, else in a\n"
+    "frame slam_map of their own. Each start is a new session of the map in ~map_folder. A map is\n"
+    "saved at the end, too.\n";
 
-constexpr double kStatePeriod = 1;    // wall time [s]
-constexpr double kSilence = 2;        // without a cloud: an error; wall time [s]
-constexpr double kSameMoment = 0.25;  // between a cloud and a picture that goes with it [s]
-constexpr double kDrawPeriod = 1;     // wall time [s]
-constexpr int kDrawnAtOnce = 5;       // key frames; one takes some 0.1 s
-constexpr double kDrawnWell = 0.1;    // a pose may be off in the voxels [m]
+constexpr double kStatePeriod = 1;   // wall time [s]
+constexpr double kSilence = 2;       // without a cloud: an error; wall time [s]
+constexpr double kSameMoment = 0.5;  // between a cloud and a picture that goes with it [s]
+constexpr double kDrawPeriod = 1;    // wall time [s]
+constexpr int kDrawnAtOnce = 5;      // key frames; one takes some 0.1 s
+constexpr double kDrawnWell = 0.1;   // a pose may be off in the voxels [m]
 constexpr char kShipped[] = "shipped";
 constexpr char kNone[] = "none";
 constexpr char kStore[] = "memory.db";
 constexpr char kFrame[] = "slam_map";
+constexpr char kNavigationFrame[] = "map";
+constexpr double kFirstPicture = 5;  // so long a session's first key frame waits for all [s]
+constexpr double kAskPeriod = 1;     // for places, while the localization is not sure [s]
 
 struct Settings {
   std::string map_folder = kNone;
@@ -59,14 +71,18 @@ struct Settings {
   std::string surroundings = "auto";
   std::string vocabulary = kShipped;
   std::string classifier = kShipped;
+  std::string mapping = "yes";
   double grid_period = 10;
   int working = 2000;
   MapperSettings mapper;
+
+  bool maps() const { return mapping == "yes"; }
 };
 
 Parameters ParametersOf(Settings& settings) {
   return {{"map_folder", &settings.map_folder, "with the versions of the map; none: a new one"},
           {"session", &settings.session, "the name of this session"},
+          {"mapping", &settings.mapping, "yes, or no: only recognizes places of the map"},
           {"cameras", &settings.cameras, "front, rear or both"},
           {"surroundings", &settings.surroundings, "indoor, hall or outdoor; auto: it judges"},
           {"vocabulary", &settings.vocabulary, "a file of `coppice-train vocabulary`"},
@@ -76,26 +92,6 @@ Parameters ParametersOf(Settings& settings) {
           {"step", &settings.mapper.step, 0.1, 5, "a key frame after so much way [m]"},
           {"turn", &settings.mapper.turn, 0.1, 3, "or after such a turn [rad]"},
           {"resolution", &settings.mapper.resolution, 0.02, 1, "of voxels and grid [m]"}};
-}
-
-Pose3 ToPose3(const Pose2D& pose) {
-  Pose3 result = Pose3::Identity();
-  result.translation() << pose.x, pose.y, 0;
-  result.linear() = Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return result;
-}
-
-geometry_msgs::Pose ToPoseMessage(const Pose3& pose) {
-  geometry_msgs::Pose message;
-  const Eigen::Quaterniond q(pose.linear());
-  message.position.x = pose.translation().x();
-  message.position.y = pose.translation().y();
-  message.position.z = pose.translation().z();
-  message.orientation.x = q.x();
-  message.orientation.y = q.y();
-  message.orientation.z = q.z();
-  message.orientation.w = q.w();
-  return message;
 }
 
 class SlamNode {
@@ -109,7 +105,7 @@ class SlamNode {
     const Outcome resumed = mapper_.Resume(std::move(map));
     if (!resumed) return resumed;
     first_ = first_of_session_ = saved_ = key_frames();
-    mapper_.BeginSession(settings_.session);
+    if (settings_.maps()) mapper_.BeginSession(settings_.session);
     mapper_.environment().Force(SurroundingsOf(settings_.surroundings));
     pose_ = node_.advertise<geometry_msgs::PoseStamped>("/slam/pose", 5);
     grid_ = node_.advertise<nav_msgs::OccupancyGrid>("/slam/grid", 1, true);
@@ -154,22 +150,25 @@ class SlamNode {
   void OnOdometry(const nav_msgs::Odometry& message) {
     if (!IsValid(message.pose.pose)) return;
     const double stamp = message.header.stamp.toSec();
-    history_.Add(stamp, ToPose2D(message.pose.pose));
-    if (frame_ != history_.frame()) BeginAnew();
+    history_.Add(stamp, robot::ToPose2D(message.pose.pose));
+    if (frame_ != history_.frame()) BeginAnew(", again");
     if (cloud_) UseCloud();
     if (key_frames() == first_of_session_) return;
+    PlaceNewest();
     geometry_msgs::PoseStamped pose;
     pose.header.stamp = message.header.stamp;
-    pose.header.frame_id = kFrame;
-    pose.pose = slam::ToPoseMessage(mapper_.PoseOf(ToPose3(ToPose2D(message.pose.pose))));
+    pose.header.frame_id = FrameName();
+    pose.pose = slam::ToPoseMessage(frame_on_map_.value_or(Pose3::Identity()) *
+                                    mapper_.PoseOf(ToPose3(robot::ToPose2D(message.pose.pose))));
     pose_.publish(pose);
   }
 
-  // The odometry was restarted: how far the robot went meanwhile nobody knows.
-  void BeginAnew() {
+  // The odometry was restarted, or somebody has carried the robot: how far it went nobody knows.
+  void BeginAnew(const char* why) {
     if (frame_ >= 0 && key_frames() > first_of_session_) {
-      mapper_.BeginSession(settings_.session + ", again");
+      mapper_.BeginSession(settings_.session + why);
       first_of_session_ = key_frames();
+      frame_on_map_.reset();
     }
     frame_ = history_.frame();
   }
@@ -187,17 +186,79 @@ class SlamNode {
     Sight sight;
     sight.stamp = stamp;
     sight.odometry = ToPose3(*odometry);
-    if (!mapper_.IsDue(sight.odometry)) return;
-    const Outcome decoded = AddCloud(*cloud, sight);
-    problem_ = decoded.problem();
-    if (!decoded) return;
+    const bool is_due = settings_.maps() && mapper_.IsDue(sight.odometry);
+    if (!is_due && !IsAsked(sight)) return;
+    if (is_due) {
+      const Outcome decoded = AddCloud(*cloud, sight);
+      problem_ = decoded.problem();
+      if (!decoded) return;
+    }
     for (const auto& camera : cameras_) AddPicture(*camera, sight);
+    if (is_due && WaitsForPictures(sight)) return;
+    asked_stamp_ = stamp;
+    asked_at_ = sight.odometry;
+    sight.place = localization_.PlaceOf(stamp, *odometry);
+    if (is_due) {
+      AddKeyFrame(sight);
+    } else if (const auto known = mapper_.Recognize(sight.pictures)) {
+      Tell(stamp, known->key_frame, known->relative);
+    }
+  }
+
+  // A robot that stands makes no other key frame: the first one must have seen something.
+  bool WaitsForPictures(const Sight& sight) {
+    if (key_frames() > first_of_session_ || sight.pictures.size() == cameras_.size()) {
+      waits_since_.reset();
+    } else if (!waits_since_) {
+      waits_since_ = sight.stamp;
+    }
+    return waits_since_ && std::abs(sight.stamp - *waits_since_) < kFirstPicture;
+  }
+
+  // Whether the localization needs to hear of places though no key frame is due.
+  bool IsAsked(const Sight& sight) const {
+    if (key_frames() == 0 || !localization_.IsAsked()) return false;
+    if (!localization_.is_sure()) return std::abs(sight.stamp - asked_stamp_) >= kAskPeriod;
+    const Pose3 moved = asked_at_.inverse() * sight.odometry;
+    return !settings_.maps() &&
+           (moved.translation().norm() >= settings_.mapper.step ||
+            Eigen::AngleAxisd(moved.linear()).angle() >= settings_.mapper.turn);
+  }
+
+  void AddKeyFrame(const Sight& sight) {
+    newest_odometry_ = ToPose2D(sight.odometry);
     const ros::WallTime begin = ros::WallTime::now();
     const MapperReport report = mapper_.Add(sight);
     calculated_ += (ros::WallTime::now() - begin).toSec();
     problem_ = report.problem;
     by_picture_ += report.of_picture == Verdict::kBelieved ? 1 : 0;
     by_cloud_ += report.of_cloud == Verdict::kBelieved ? 1 : 0;
+    FindFrame();
+    if (report.by_picture) Tell(sight.stamp, report.by_picture->from, report.by_picture->relative);
+  }
+
+  // A robot that stands makes no other one, though the localization has become sure.
+  void PlaceNewest() {
+    const auto& newest = mapper_.key_frames().back();
+    if (frame_on_map_ || newest == nullptr || newest->place) return;
+    const auto place = localization_.PlaceOf(history_.newest(), newest_odometry_);
+    if (!place) return;
+    problem_ = mapper_.PlaceNewest(*place).problem();
+    FindFrame();
+  }
+
+  // Where the newest key frame's map lies on the navigation's.
+  void FindFrame() {
+    frame_on_map_ = OnNavigationMap(mapper_.graph(), mapper_.key_frames()).back();
+  }
+  const char* FrameName() const { return frame_on_map_ ? kNavigationFrame : kFrame; }
+
+  void Tell(double stamp, std::uint32_t key_frame, const Pose3& relative) {
+    const auto frames = OnNavigationMap(mapper_.graph(), mapper_.key_frames());
+    const auto& frame = frames[mapper_.graph().sessions()[key_frame]];
+    if (!frame) return;
+    localization_.Tell(stamp, ToPose2D(*frame * mapper_.graph().poses()[key_frame] * relative));
+    ++told_;
   }
 
   Outcome AddCloud(const sensor_msgs::PointCloud2& message, Sight& sight) {
@@ -231,8 +292,11 @@ class SlamNode {
   // Enters some key frames into the voxels. Those that have moved cannot be taken out: then all are
   // entered anew, some at a time, so that the robot's pose does not wait for it.
   void DrawSome() {
-    const std::vector<Pose3>& poses = mapper_.graph().poses();
-    if (poses.empty()) return;
+    if (key_frames() == first_of_session_) return;
+    std::vector<Pose3> poses = mapper_.graph().poses();
+    if (frame_on_map_) {
+      for (Pose3& pose : poses) pose = *frame_on_map_ * pose;
+    }
     const std::uint32_t map = mapper_.graph().map_of(mapper_.graph().sessions().back());
     const auto has_moved = [](const Pose3& drawn, const Pose3& now) {
       return (drawn.translation() - now.translation()).norm() > kDrawnWell;
@@ -258,37 +322,12 @@ class SlamNode {
     if (drawn_.size() < key_frames()) return;  // not yet whole
     shown_ = drawn_.size();
     const OccupancyGrid grid = voxels_.Project();
-    if (grid.frame.size() > 0) grid_.publish(mapping::ToMessage(grid, kFrame, ros::Time::now()));
-    if (markers_.getNumSubscribers() > 0) PublishGraph(mapper_.Map());
-  }
-
-  void PublishGraph(const SlamMap& map) {
-    visualization_msgs::MarkerArray message;
-    const SessionGraph& graph = mapper_.graph();
-    for (const LinkKind kind : {LinkKind::kStep, LinkKind::kPicture, LinkKind::kCloud}) {
-      visualization_msgs::Marker lines;
-      lines.header.stamp = ros::Time::now();
-      lines.header.frame_id = kFrame;
-      lines.ns = "links";
-      lines.id = static_cast<int>(kind);
-      lines.type = visualization_msgs::Marker::LINE_LIST;
-      lines.pose.orientation.w = 1;
-      lines.scale.x = 0.03;
-      lines.color.a = 1;
-      lines.color.b = kind == LinkKind::kStep ? 1 : 0;
-      lines.color.r = kind == LinkKind::kPicture ? 1 : 0;
-      lines.color.g = kind == LinkKind::kCloud ? 1 : 0;
-      for (const Link& link : map.graph.links) {
-        if (link.kind != kind ||
-            !graph.InOneMap(link.to, static_cast<std::uint32_t>(map.graph.poses.size() - 1))) {
-          continue;
-        }
-        lines.points.push_back(slam::ToPoseMessage(map.graph.poses[link.from]).position);
-        lines.points.push_back(slam::ToPoseMessage(map.graph.poses[link.to]).position);
-      }
-      message.markers.push_back(lines);
+    if (grid.frame.size() > 0) {
+      grid_.publish(mapping::ToMessage(grid, FrameName(), ros::Time::now()));
     }
-    markers_.publish(message);
+    if (markers_.getNumSubscribers() == 0) return;
+    markers_.publish(MarkersOf(mapper_.graph(), FrameName(),
+                               frame_on_map_.value_or(Pose3::Identity()), ros::Time::now()));
   }
 
   std::string Complaint() const {
@@ -305,6 +344,7 @@ class SlamNode {
     const std::string complaint = Complaint();
     status.level = complaint.empty() ? DiagnosticStatus::OK : DiagnosticStatus::ERROR;
     status.message = !complaint.empty()   ? complaint
+                     : !settings_.maps()  ? "recognizes places"
                      : mapper_.IsJoined() ? "maps"
                                           : "maps a session of its own: no known place yet";
     const auto add = [&status](const char* key, const std::string& value) {
@@ -321,6 +361,7 @@ class SlamNode {
     add("working memory", std::to_string(mapper_.memory().working()));
     add("closures by picture", std::to_string(by_picture_));
     add("closures by cloud", std::to_string(by_cloud_));
+    add("places told to the localization", std::to_string(told_));
     add("way since a closure [m]", std::to_string(mapper_.way_since_closure()));
     const std::size_t seen = key_frames() - first_;
     add("per key frame [ms]",
@@ -362,6 +403,13 @@ class SlamNode {
   std::uint32_t drawn_map_ = 0;
   std::vector<Pose3> drawn_;  // into the voxels, of the first key frames
   localization::PoseHistory history_{4};
+  LocalizationLink localization_{node_, history_, [this] { BeginAnew(", carried"); }};
+  Pose2D newest_odometry_;              // of the newest key frame
+  std::optional<Pose3> frame_on_map_;   // of the newest key frame's map, in that of the navigation
+  std::optional<double> waits_since_;   // for a picture
+  double asked_stamp_ = -kAskPeriod;    // when pictures were looked at last
+  Pose3 asked_at_ = Pose3::Identity();  // odometry
+  std::size_t told_ = 0;
   int frame_ = -1;  // of the odometry
   std::vector<std::unique_ptr<perception::RgbdTopics>> cameras_;
   sensor_msgs::PointCloud2::ConstPtr cloud_;  // not yet used
@@ -411,7 +459,12 @@ int Run(Settings settings) {
     return Fail("surroundings: expected auto, indoor, hall or outdoor, not \"" +
                 settings.surroundings + "\"");
   }
-  settings.mapper.working = static_cast<std::size_t>(settings.working);
+  if (settings.mapping != "yes" && settings.mapping != "no") {
+    return Fail("mapping: expected yes or no, not \"" + settings.mapping + "\"");
+  }
+  // Nothing is added and moved, so that all may be asked for.
+  settings.mapper.working = settings.maps() ? static_cast<std::size_t>(settings.working)
+                                            : std::numeric_limits<std::size_t>::max();
   const auto vocabulary = Vocabulary::Load(FileOr(settings.vocabulary, COPPICE_VOCABULARY));
   if (!vocabulary) return Fail(vocabulary.problem());
   const auto classifier = PlaceClassifier::Load(FileOr(settings.classifier, COPPICE_PLACES));

@@ -57,6 +57,9 @@ Pose3 GetPose(Reader& reader) {
 void PutKeyFrame(const KeyFrame& key_frame, Writer& writer) {
   writer.Put(key_frame.stamp);
   writer.Put(key_frame.range);
+  writer.Put(static_cast<std::uint8_t>(key_frame.place.has_value()));
+  const Pose2D place = key_frame.place.value_or(Pose2D{});
+  writer.PutMatrix(Eigen::Vector3d(place.x, place.y, place.yaw));
   writer.Put(key_frame.descriptor);
   writer.PutPoints(key_frame.points);
   writer.PutSize(key_frame.pictures.size());
@@ -68,6 +71,10 @@ KeyFrame GetKeyFrame(Reader& reader) {
   key_frame.stamp = reader.Get<double>();
   key_frame.range = reader.Get<double>();
   if (!(key_frame.range >= 0 && key_frame.range <= kFarthest)) reader.Fail();
+  const bool has_place = reader.Get<std::uint8_t>() != 0;
+  Eigen::Vector3d place;
+  reader.GetMatrix(place);
+  if (has_place) key_frame.place = Pose2D{place.x(), place.y(), place.z()};
   key_frame.descriptor = reader.Get<CloudDescriptor>();
   key_frame.points = reader.GetPoints();
   const std::size_t pictures = reader.GetSize(4);

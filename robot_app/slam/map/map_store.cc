@@ -15,7 +15,7 @@ namespace coppice::robot::slam {
 namespace {
 
 constexpr int kApplicationId = 0x436f536c;  // "CoSl"
-constexpr int kSchemaVersion = 1;
+constexpr int kSchemaVersion = 2;
 constexpr int kPatience = 1000;                 // ms, with another program
 constexpr int kDamaged = 11, kNoDatabase = 26;  // SQLITE_CORRUPT, SQLITE_NOTADB
 constexpr char kSchema[] =
@@ -176,10 +176,21 @@ void MapStore::KeepAll(const std::vector<SessionName>& names, const SessionGraph
     for (std::size_t i = begin; i < end; ++i) PutLink(links[i], writer);
     Put(kLinks, begin / kLinksOfPart, PackedText(writer));
   }
-  for (std::size_t i = key_frames_; i < key_frames.size(); ++i) {
-    Writer writer;
-    PutKeyFrame(*key_frames[i], writer);
-    Put(kKeyFrames, i, PackedText(writer));
+  for (std::size_t i = key_frames_; i < key_frames.size(); ++i) PutKeyFrameOf(i, *key_frames[i]);
+}
+
+void MapStore::PutKeyFrameOf(std::size_t number, const KeyFrame& key_frame) {
+  Writer writer;
+  PutKeyFrame(key_frame, writer);
+  Put(kKeyFrames, number, PackedText(writer));
+}
+
+Outcome MapStore::Replace(std::uint32_t key_frame, const KeyFrame& with) {
+  try {
+    PutKeyFrameOf(key_frame, with);
+    return {};
+  } catch (const SQLite::Exception& error) {
+    return ProblemOf(error);
   }
 }
 

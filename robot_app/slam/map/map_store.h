@@ -43,6 +43,9 @@ class MapStore {
   Outcome Keep(const std::vector<SessionName>& names, const SessionGraph& graph,
                const std::vector<std::shared_ptr<const KeyFrame>>& key_frames);
 
+  /// Writes a key frame anew that is in it already.
+  Outcome Replace(std::uint32_t key_frame, const KeyFrame& with);
+
   /// Forgets all that is in it.
   Outcome Clear();
 
@@ -62,6 +65,7 @@ class MapStore {
   explicit MapStore(std::unique_ptr<SQLite::Database> database, std::string file);
   void KeepAll(const std::vector<SessionName>& names, const SessionGraph& graph,
                const std::vector<std::shared_ptr<const KeyFrame>>& key_frames);
+  void PutKeyFrameOf(std::size_t number, const KeyFrame& key_frame);
   static Expected<std::unique_ptr<MapStore>> OpenWhole(const std::string& file);
   std::size_t Count(int kind);
   template <typename Take>

@@ -4,9 +4,11 @@
 #define COPPICE_ROBOT_APP_SLAM_MAP_SLAM_MAP_H_
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "robot_app/common/pose2d.h"
 #include "robot_app/slam/clouds/cloud_descriptor.h"
 #include "robot_app/slam/graph/session_graph.h"
 #include "robot_app/slam/pictures/features.h"
@@ -22,6 +24,8 @@ struct KeyFrame {
   CloudPoints points;
   CloudDescriptor descriptor;  ///< of all that the lidar saw
   double range = 8;            ///< points up to here are entered into the voxels [m]
+  /// base_link in the frame of the map that the robot navigates on, if its localization was sure.
+  std::optional<Pose2D> place;
 };
 
 /// A session as people know it.

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kHeader[] = "coppice slam map 1\n";
+constexpr char kHeader[] = "coppice slam map 2\n";
 constexpr int kKept = 3;                                   // versions
 constexpr std::size_t kLongestMap = std::size_t{2} << 30;  // bytes of a file
 

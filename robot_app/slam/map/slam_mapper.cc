@@ -106,6 +106,7 @@ MapperReport SlamMapper::Add(const Sight& sight) {
   key_frame->descriptor = Describe(sight.cloud);
   environment_.Add(sight.stamp, Read(key_frame->descriptor, sight.brightness));
   key_frame->range = ConfigurationFor(environment_.surroundings()).range;
+  key_frame->place = sight.place;
   key_frame->points = Thinned(sight.cloud, kKeptEdge, kKeptRange);
   for (const SightPicture& picture : sight.pictures) {
     key_frame->pictures.push_back(std::make_shared<PictureFeatures>(picture.features));
@@ -122,6 +123,14 @@ MapperReport SlamMapper::Add(const Sight& sight) {
   const Outcome applied = Apply(Use(Near(kNear)));
   if (!applied) report.problem = applied.problem();
   return report;
+}
+
+Outcome SlamMapper::PlaceNewest(const Pose2D& place) {
+  auto placed = std::make_shared<KeyFrame>(*key_frames_.back());
+  placed->place = place;
+  key_frames_.back() = placed;
+  if (store_ == nullptr) return {};
+  return store_->Replace(static_cast<std::uint32_t>(key_frames_.size() - 1), *placed);
 }
 
 MemoryChange SlamMapper::Use(const std::vector<std::uint32_t>& near) {
@@ -193,17 +202,23 @@ bool SlamMapper::IsOld(std::uint32_t key_frame) const {
   return key_frame < session_begin_ || key_frame + settings_.recent < graph_.poses().size();
 }
 
-void SlamMapper::LookAtPictures(const Sight& sight, MapperReport& report) {
+std::optional<KnownPlace> SlamMapper::Recognize(const std::vector<SightPicture>& pictures) {
   std::optional<PicturePlace> best;
-  for (const SightPicture& picture : sight.pictures) {
+  for (const SightPicture& picture : pictures) {
     const auto found = pictures_.Find(picture.features, picture.camera,
                                       [this](std::uint32_t k) { return IsOld(k); });
     if (!found || !IsSure(found->match, settings_.pictures.match)) continue;
     if (!best || found->match.inliers > best->match.inliers) best = found;
     if (IsClear(best->match, settings_.pictures.match)) break;
   }
+  if (!best) return std::nullopt;
+  return KnownPlace{best->key_frame, best->match.relative};
+}
+
+void SlamMapper::LookAtPictures(const Sight& sight, MapperReport& report) {
+  const auto best = Recognize(sight.pictures);
   if (!best) return;
-  report.by_picture = Link{best->key_frame, report.key_frame, best->match.relative,
+  report.by_picture = Link{best->key_frame, report.key_frame, best->relative,
                            InformationOf(kPicturePlace, kPictureTurn), LinkKind::kPicture};
   report.of_picture = Close(*report.by_picture);
 }

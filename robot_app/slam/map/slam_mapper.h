@@ -45,6 +45,8 @@ struct Sight {
   std::vector<SightPicture> pictures;
   double brightness = 1;  ///< of the pictures, 0..1
   CloudPoints cloud;      ///< in base_link
+  /// base_link in the frame of the map that the robot navigates on, if its localization is sure.
+  std::optional<Pose2D> place;
 };
 
 struct MapperSettings {
@@ -59,6 +61,12 @@ struct MapperSettings {
   PicturePlacesSettings pictures;
   CloudPlacesSettings clouds;
   EnvironmentSettings environment;
+};
+
+/// A known place that pictures show.
+struct KnownPlace {
+  std::uint32_t key_frame = 0;
+  Pose3 relative = Pose3::Identity();  ///< base_link as seen from the key frame's
 };
 
 /// What came of a sight.
@@ -89,6 +97,13 @@ class SlamMapper {
   /// Keeps a key frame and looks where it was taken.
   MapperReport Add(const Sight& sight);
 
+  /// The localization has become sure since: base_link of the newest key frame (Sight::place).
+  Outcome PlaceNewest(const Pose2D& place);
+
+  /// The key frame of the working memory that the pictures show, if one is sure; nothing is kept.
+  /// The newest key frames of this session are not asked for. About 30 ms for each picture.
+  std::optional<KnownPlace> Recognize(const std::vector<SightPicture>& pictures);
+
   /// base_link in the frame of the session's map.
   Pose3 PoseOf(const Pose3& odometry) const;
 
@@ -99,6 +114,8 @@ class SlamMapper {
   /// null, and in the store.
   SlamMap Map() const;
   const SessionGraph& graph() const { return graph_; }
+  /// Of each pose; null: it is not in the working memory.
+  const std::vector<std::shared_ptr<const KeyFrame>>& key_frames() const { return key_frames_; }
   /// Of one pose, wherever it is kept.
   Expected<std::shared_ptr<const KeyFrame>> key_frame(std::uint32_t pose) const;
   MapStore* store() const { return store_.get(); }

@@ -1,6 +1,9 @@
 // The program coppice-slam with the simulator and its cameras over ROS, and coppice-map on its map.
+#include <coppice_msgs/InjectFault.h>
+#include <coppice_msgs/LocalizationState.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,16 +39,29 @@ class SlamNodeTest : public testing::Test {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
   }
 
-  void StartSimulator() {
-    simulator_ = ChildProcess(
-        {kPrograms + "coppice-simulator", "_start:=2 0 0", "/odom:=/odometry/filtered"},
-        Temporary("simulator.log"));
+  void StartSimulator(const std::string& start = "2 0 0",
+                      const std::string& localization = "true") {
+    simulator_ = ChildProcess({kPrograms + "coppice-simulator", "_start:=" + start,
+                               "/odom:=/odometry/filtered", "_localization:=" + localization},
+                              Temporary("simulator.log"));
     cameras_ = ChildProcess({kPrograms + "coppice-simulated-cameras"}, Temporary("cameras.log"));
   }
   void StartSlam(const std::string& session) {
     slam_ = ChildProcess({kPrograms + "coppice-slam", "_map_folder:=" + kMaps,
                           "_session:=" + session, "_grid_period:=1"},
                          Temporary("slam.log"));
+  }
+  // Somebody carries it there as soon as nobody stands there.
+  void Carry(const std::string& where) {
+    coppice_msgs::InjectFault service;
+    service.request.fault = "kidnap";
+    service.request.target = where;
+    EXPECT_TRUE(Eventually(
+        [&] {
+          return ros::service::call("/simulation/inject_fault", service) && service.response.ok;
+        },
+        kPatience))
+        << service.response.message;
   }
   bool DriveUntil(const std::function<bool()>& done) {
     return Eventually(
@@ -66,7 +82,7 @@ class SlamNodeTest : public testing::Test {
   const std::string kMaps = Temporary("maps");
   ros::NodeHandle node_;
   ros::Publisher command_;
-  ChildProcess simulator_, cameras_, slam_;
+  ChildProcess simulator_, cameras_, slam_, localization_;
 };
 
 TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
@@ -144,10 +160,44 @@ TEST_F(SlamNodeTest, KilledWhileItMapsItHasLostNothing) {
   EXPECT_GE(map->map.key_frames.size(), known);
 }
 
+// An office that looks like another one to the scanner; the robot stands all the time.
+TEST_F(SlamNodeTest, TellsTheLocalizationWhereItIsWhenItWasCarriedBackToWhatItKnows) {
+  using State = coppice_msgs::LocalizationState;
+  const std::string place = "32.6 -3.25 2.95";
+  StartSimulator(place, "false");
+  localization_ = ChildProcess({kPrograms + "coppice-localization", "_start_pose:=" + place},
+                               Temporary("localization.log"));
+  const Latest<State> state(node_, "/localization/state");
+  const auto is = [&](int phase) { return state.get() && state.get()->phase == phase; };
+  ASSERT_TRUE(Eventually([&] { return is(State::OK); }, kPatience))
+      << TextOf(Temporary("localization.log"));
+  const Latest<geometry_msgs::PoseStamped> pose(node_, "/slam/pose");
+  StartSlam("morning");
+  // From the first key frame on it lies on the map that the robot navigates on.
+  ASSERT_TRUE(
+      Eventually([&] { return pose.get() && pose.get()->header.frame_id == "map"; }, kPatience))
+      << TextOf(Temporary("slam.log"));
+  EXPECT_NEAR(pose.get()->pose.position.x, 32.6, 0.1);
+  EXPECT_NEAR(pose.get()->pose.position.y, -3.25, 0.1);
+
+  Carry("46 0 0");
+  ASSERT_TRUE(Eventually([&] { return is(State::LOST); }, kPatience));
+  Carry("32.6 -3.2 2.9");
+  ASSERT_TRUE(Eventually([&] { return is(State::OK); }, kPatience)) << state.get()->message;
+  EXPECT_LT(state.get()->seconds_since_recognized, 5);
+  const auto found = ros::topic::waitForMessage<geometry_msgs::PoseWithCovarianceStamped>(
+      "/localization/pose", node_, ros::Duration(kPatience));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->pose.pose.position.x, 32.6, 0.1);
+  EXPECT_NEAR(found->pose.pose.position.y, -3.25, 0.1);
+}
+
 TEST_F(SlamNodeTest, RefusesWhatMakesNoSense) {
   const std::string log = Temporary("refused.log"), slam = kPrograms + "coppice-slam";
   EXPECT_EQ(RunToTheEnd({slam, "__name:=a", "_surroundings:=cellar"}, log), 2);
   EXPECT_THAT(TextOf(log), HasSubstr("expected auto, indoor, hall or outdoor"));
+  EXPECT_EQ(RunToTheEnd({slam, "__name:=c", "_mapping:=perhaps"}, log), 2);
+  EXPECT_THAT(TextOf(log), HasSubstr("expected yes or no, not \"perhaps\""));
   EXPECT_EQ(RunToTheEnd({slam, "__name:=b", "_vocabulary:=/nowhere"}, log), 2);
   EXPECT_THAT(TextOf(log), HasSubstr("/nowhere: cannot be read"));
   EXPECT_EQ(RunToTheEnd({kPrograms + "coppice-map", "/nowhere"}, log), 1);

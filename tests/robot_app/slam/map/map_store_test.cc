@@ -44,6 +44,20 @@ TEST_F(MapStoreTest, WhatWasKeptIsThereAgain) {
   EXPECT_EQ((*seen)->pictures[0]->descriptors[0][3], 2U);
 }
 
+TEST_F(MapStoreTest, AKeyFrameIsWrittenAnewWhenItsPlaceHasBecomeKnown) {
+  const auto store = Open();
+  ASSERT_TRUE(store->Keep(map_.names, GraphOf(map_), map_.key_frames));
+  EXPECT_FALSE((*store->Read(1))->place.has_value());
+  KeyFrame placed = *map_.key_frames[1];
+  placed.place = Pose2D{1, 2, 0.5};
+  ASSERT_TRUE(store->Replace(1, placed));
+  const auto read = store->Read(1);
+  ASSERT_TRUE(read) << read.problem();
+  ASSERT_TRUE((*read)->place.has_value());
+  EXPECT_EQ((*read)->place->y, 2);
+  EXPECT_EQ((*read)->stamp, 10);
+}
+
 TEST_F(MapStoreTest, ANewOneIsEmpty) {
   const auto store = Open();
   EXPECT_TRUE(store->Load()->key_frames.empty());

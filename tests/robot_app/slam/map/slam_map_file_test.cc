@@ -56,6 +56,9 @@ TEST_F(SlamMapFileTest, WhatWasSavedIsReadAsItWas) {
   EXPECT_TRUE(map.graph.links[1].relative.isApprox(SmallMap().graph.poses[3]));
   const KeyFrame& key_frame = *map.key_frames[2];
   EXPECT_EQ(key_frame.stamp, 20);
+  ASSERT_TRUE(key_frame.place.has_value());
+  EXPECT_EQ(key_frame.place->y, -1.5);
+  EXPECT_FALSE(map.key_frames[1]->place.has_value());
   EXPECT_TRUE(key_frame.points[1].isApprox(Eigen::Vector3f(-3.25F, 0, 1)));
   EXPECT_EQ(key_frame.descriptor.contour[7], 4.5F);
   EXPECT_EQ(key_frame.pictures[0]->descriptors[0][3], 2U);

@@ -20,6 +20,7 @@ inline SlamMap SmallMap() {
     map.graph.poses.push_back(pose);
     auto key_frame = std::make_shared<KeyFrame>();
     key_frame->stamp = 10 * i;
+    if (i == 2) key_frame->place = Pose2D{4, -1.5, 0.25};
     key_frame->points = {{1, 2, 0.5F}, {-3.25F, 0, 1}};
     key_frame->descriptor.contour[7] = 4.5F;
     PictureFeatures picture;
