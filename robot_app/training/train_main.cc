@@ -55,7 +55,14 @@ std::uint64_t SeedOf(const Options& options) {
 // Nothing is measured on what was learnt from.
 std::uint64_t MeasuringSeed(const Options& options) { return SeedOf(options) + 1000000; }
 
-void Say(double share) { std::fprintf(stderr, "\r%3.0f %%", 100 * share); }
+// Each percent once.
+void Say(double share) {
+  static int said = -1;
+  const int percent = static_cast<int>(100 * share);
+  if (percent == said) return;
+  said = percent;
+  std::fprintf(stderr, "\r%3d %%", percent);
+}
 
 struct SensesTried {
   const char* name;
