@@ -32,6 +32,18 @@ TEST(KeyNames, AreFoundInPortsAndScripts) {
   EXPECT_THAT(Keys(R"(<Go _skipIf="battery &lt; 20"/>)"), ElementsAre("battery r"));
 }
 
+// Name by name from the beginning it would take hours.
+TEST(KeyNames, OfAHugeScriptAreFoundInOnePass) {
+  std::string code = "a &lt; 1";
+  for (int i = 0; i < 100'000; ++i) code += " || b == 1";
+  const Document document =
+      Parsed(R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Go _skipIf=")" + code +
+             R"("/></BehaviorTree></root>)");
+  const auto names = KeyNamesIn(document, NodeModels(), ElementIndex{1});
+  ASSERT_EQ(names.size(), 100'001U);
+  EXPECT_EQ(names.back().begin, document.text().rfind("b =="));
+}
+
 TEST(KeyNames, AreWhatTheEngineTakesForKeys) {
   EXPECT_THAT(Keys("<Go goal=' {goal} ' speed='{ fast }' where='=' text='{a}_{b}'/>"),
               ElementsAre("goal r", "fast r", "where r"));
