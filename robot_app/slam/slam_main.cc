@@ -29,6 +29,7 @@
 #include "robot_app/slam/map/navigation_frame.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"
+#include "robot_app/slam/straightened_cloud.h"
 
 namespace coppice::robot::slam {
 namespace {
@@ -53,6 +54,7 @@ constexpr char kHelp[] =
 constexpr double kStatePeriod = 1;   // wall time [s]
 constexpr double kSilence = 2;       // without a cloud: an error; wall time [s]
 constexpr double kSameMoment = 0.5;  // between a cloud and a picture that goes with it [s]
+constexpr double kSweep = 0.1;       // that a turn of the lidar takes [s]
 constexpr double kDrawPeriod = 1;    // wall time [s]
 constexpr int kDrawnAtOnce = 5;      // key frames; one takes some 0.1 s
 constexpr double kDrawnWell = 0.1;   // a pose may be off in the voxels [m]
@@ -180,6 +182,7 @@ class SlamNode {
       if (!history_.empty() && stamp < history_.newest()) cloud_.reset();  // too old
       return;
     }
+    if (history_.newest() < stamp + kSweep) return;
     const auto cloud = std::move(cloud_);
     cloud_.reset();
     last_cloud_ = ros::WallTime::now();
@@ -266,11 +269,7 @@ class SlamNode {
     if (!decoded) return decoded;
     const auto mount = transforms_.Find("base_link", message.header.frame_id, ros::Time(0));
     if (!mount) return Problem{mount.problem()};
-    const Eigen::Isometry3f place = ToEigen(mount->transform).cast<float>();
-    for (const perception::LidarPoint& point : points_) {
-      const Eigen::Vector3f there(point.x, point.y, point.z);
-      if (there.allFinite()) sight.cloud.push_back(place * there);
-    }
+    sight.cloud = Straightened(points_, ToEigen(mount->transform), sight.stamp, history_);
     return {};
   }
 

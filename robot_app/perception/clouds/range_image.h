@@ -19,6 +19,7 @@ struct LidarPoint {
   float x = 0, y = 0, z = 0;
   float intensity = 0;     ///< 0..255
   std::uint16_t ring = 0;  ///< from the lowest
+  float time = 0;          ///< since the stamp of the cloud [s]
 };
 
 /// How the sensor looks around and where it is; as a Velodyne Puck on the robot.

@@ -1,6 +1,7 @@
 #include "robot_app/perception/people/cloud_decoder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -83,6 +84,8 @@ Outcome CheckSizes(const PointCloud2& message) {
   return {};
 }
 
+float FiniteOrZero(float number) { return std::isfinite(number) ? number : 0; }
+
 }  // namespace
 
 Outcome Decode(const PointCloud2& message, std::vector<LidarPoint>& points) {
@@ -99,6 +102,7 @@ Outcome Decode(const PointCloud2& message, std::vector<LidarPoint>& points) {
     if (!*field) return Problem{field->problem()};
   }
   const auto intensity = FindField(message, "intensity", {PointField::FLOAT32, PointField::UINT8});
+  const auto time = FindField(message, "time", number);
 
   points.reserve(std::size_t{message.width} * message.height);
   for (std::size_t row = 0; row < message.height; ++row) {
@@ -107,7 +111,8 @@ Outcome Decode(const PointCloud2& message, std::vector<LidarPoint>& points) {
       points.push_back({static_cast<float>(x->Read(point)), static_cast<float>(y->Read(point)),
                         static_cast<float>(z->Read(point)),
                         intensity ? static_cast<float>(intensity->Read(point)) : 0,
-                        static_cast<std::uint16_t>(std::min(ring->Read(point), 65535.0))});
+                        static_cast<std::uint16_t>(std::min(ring->Read(point), 65535.0)),
+                        time ? FiniteOrZero(static_cast<float>(time->Read(point))) : 0});
     }
   }
   return {};

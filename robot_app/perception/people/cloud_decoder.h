@@ -12,9 +12,10 @@
 namespace coppice::robot::perception {
 
 /// Fills `points` with those of the message, which may lie in any order. Needed are the fields x, y
-/// and z (FLOAT32) and ring (a whole number without sign); intensity (FLOAT32 or UINT8) is 0 where
-/// it is missing. A message whose sizes do not agree, that lacks a field or has it in another type
-/// is a problem; then there are no points. Never reads outside the data.
+/// and z (FLOAT32) and ring (a whole number without sign); intensity (FLOAT32 or UINT8) and time
+/// (FLOAT32, finite) are 0 where they are missing. A message whose sizes do not agree, that lacks a
+/// field or has it in another type is a problem; then there are no points. Never reads outside the
+/// data.
 Outcome Decode(const sensor_msgs::PointCloud2& message, std::vector<LidarPoint>& points);
 
 }  // namespace coppice::robot::perception

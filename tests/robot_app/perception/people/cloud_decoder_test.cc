@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -38,6 +39,7 @@ PointCloud2 Message(const std::vector<LidarPoint>& points) {
     const float numbers[] = {point.x, point.y, point.z, point.intensity};
     std::memcpy(bytes, numbers, sizeof(numbers));
     std::memcpy(bytes + 16, &point.ring, sizeof(point.ring));
+    std::memcpy(bytes + 18, &point.time, sizeof(point.time));
     message.data.insert(message.data.end(), bytes, bytes + 22);
   }
   return message;
@@ -56,6 +58,17 @@ TEST(Decode, ReadsPlaceBrightnessAndRing) {
   EXPECT_EQ(points[0].intensity, 40);
   EXPECT_EQ(points[1].z, -3);
   EXPECT_EQ(points[1].ring, 15);
+}
+
+TEST(Decode, ReadsWhenAPointWasMeasured) {
+  PointCloud2 message = Message({{1, 2, 3, 40, 5, 0.05F}, {1, 2, 3, 40, 5, std::nanf("")}});
+  std::vector<LidarPoint> points;
+  ASSERT_TRUE(Decode(message, points));
+  EXPECT_EQ(points[0].time, 0.05F);
+  EXPECT_EQ(points[1].time, 0);
+  message.fields.pop_back();
+  ASSERT_TRUE(Decode(message, points));
+  EXPECT_EQ(points[0].time, 0);
 }
 
 TEST(Decode, ACloudOfNoPointsIsNoProblem) {
