@@ -102,6 +102,8 @@ struct BoostedTrees::Trees {
       const cv::FileNode node = storage[subject.name];
       const bool fits = node.isMap() && static_cast<int>(node["features"]) == subject.features;
       if (!fits || !reader.Read(node["trees"])) return nullptr;
+      // Else the rest was cut off.
+      if (static_cast<int>(node["ntrees"]) != static_cast<int>(reader.roots.size())) return nullptr;
     } catch (const std::exception&) {
       return nullptr;  // its text tells of OpenCV's own sources
     }
