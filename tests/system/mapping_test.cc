@@ -1,22 +1,16 @@
 // A person makes a map: the configuration is set by hand, the robot driven as the page drives it,
 // the map saved; then the robot works with it. At six times real time.
 #include <coppice_msgs/SetConfiguration.h>
-#include <geometry_msgs/PoseStamped.h>
-#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <std_srvs/Trigger.h>
 
-#include <condition_variable>
-#include <mutex>
-
-#include "robot_app/common/ros_support.h"
 #include "robot_app/mapping/map_file.h"
 #include "tests/robot_app/mapping/map_quality.h"
-#include "tests/robot_app/mapping/tour.h"
 #include "tests/robot_app/navigation/world_robot.h"
 #include "tests/support/folders.h"
+#include "tests/system/driver.h"
 #include "tests/system/robot_rig.h"
 
 namespace coppice::robot {
@@ -33,44 +27,6 @@ RigOptions Options() {
                        {"application", SourceFolder() + "/tests/system/trees/stand.xml"}};
   return options;
 }
-
-// Drives by /cmd_vel/supervisor, as the page does; sees where the robot is, as a person would.
-class Driver {
- public:
-  Driver() : command_(node_.advertise<geometry_msgs::Twist>("/cmd_vel/supervisor", 1)) {
-    truth_ = node_.subscribe<geometry_msgs::PoseStamped>(
-        "/simulation/truth", 1, [this](const geometry_msgs::PoseStamped::ConstPtr& message) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          pose_ = ToPose2D(message->pose);
-          moved_.notify_one();
-        });
-  }
-  ~Driver() { truth_.shutdown(); }
-
-  // One command for each time that the robot is seen.
-  bool Drive(const std::vector<Point2D>& way, double patience) {
-    mapping::Tour tour(way);
-    const auto deadline =
-        std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
-    std::optional<Velocity2D> command;
-    do {
-      std::unique_lock<std::mutex> lock(mutex_);
-      if (!moved_.wait_until(lock, deadline, [this] { return pose_.has_value(); })) return false;
-      command = tour.Next(*pose_);
-      pose_.reset();
-      command_.publish(ToTwist(command.value_or(Velocity2D{})));
-    } while (command);
-    return true;
-  }
-
- private:
-  ros::NodeHandle node_;
-  ros::Publisher command_;
-  ros::Subscriber truth_;
-  std::mutex mutex_;
-  std::condition_variable moved_;
-  std::optional<Pose2D> pose_;  // since the last command
-};
 
 bool SetConfiguration(const std::string& name, bool by_hand) {
   coppice_msgs::SetConfiguration service;
