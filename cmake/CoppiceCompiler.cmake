@@ -36,7 +36,9 @@ endif()
 
 find_program(COPPICE_CCACHE ccache)
 if(COPPICE_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${COPPICE_CCACHE})
+  # Else it refuses all that has a precompiled header, which here is everything.
+  set(CMAKE_CXX_COMPILER_LAUNCHER /usr/bin/env CCACHE_SLOPPINESS=pch_defines,time_macros
+                                  ${COPPICE_CCACHE})
 endif()
 find_program(COPPICE_MOLD mold)
 if(COPPICE_MOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND
