@@ -22,7 +22,7 @@ constexpr char kHelp[] =
     "coppice-localization: finds and follows the robot on the map, as the ROS node /localization.\n"
     "  subscribes  /map /scan /odometry/filtered /tf_static (of the scanner)\n"
     "              /initialpose (geometry_msgs/PoseWithCovarianceStamped: a person says where)\n"
-    "              /localization/hint (the same: a place is recognized, to be confirmed by the scan)\n"
+    "              /localization/hint (the same: a known place, to be confirmed by the scan)\n"
     "  publishes   tf map -> odom, /localization/pose with covariance, /localization/state\n"
     "  service     /global_localization (std_srvs/Empty: forget the pose, search the whole map)\n"
     "Where the robot may be at the start is believed only if the first scan fits there, and\n"

@@ -24,6 +24,7 @@
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/perception/camera/rgbd_topics.h"
 #include "robot_app/perception/people/cloud_decoder.h"
+#include "robot_app/slam/graph/floor_pose.h"
 #include "robot_app/slam/graph_message.h"
 #include "robot_app/slam/localization_link.h"
 #include "robot_app/slam/map/navigation_frame.h"
@@ -36,20 +37,20 @@ namespace {
 
 constexpr char kHelp[] =
     "coppice-slam: makes a map in three dimensions over many sessions, knows where the robot is\n"
-    "on it, and tells the localization which places it recognizes, as the ROS node /slam. NAME is a\n"
-    "camera: front or rear.\n"
+    "on it, and tells the localization which places it recognizes, as the ROS node /slam.\n"
+    "NAME is a camera: front or rear.\n"
     "  subscribes  /odometry/filtered /velodyne_points /tf /tf_static (of the sensors)\n"
     "              /camera/NAME/color/image_raw/compressed /camera/NAME/color/camera_info\n"
     "              /camera/NAME/aligned_depth_to_color/image_raw/compressedDepth\n"
-    "              /localization/state /localization/pose (where that is on the map that it navigates on)\n"
-    "  publishes   /localization/hint (geometry_msgs/PoseWithCovarianceStamped: a place is recognized)\n"
+    "              /localization/state /localization/pose (on the map that it navigates on)\n"
+    "  publishes   /localization/hint (geometry_msgs/PoseWithCovarianceStamped: a known place)\n"
     "              /slam/pose (geometry_msgs/PoseStamped)\n"
     "              /slam/grid (nav_msgs/OccupancyGrid, latched), /slam/graph (for RViz),\n"
     "              /diagnostics\n"
     "  service     /slam/save (std_srvs/Trigger: the next version of the map in ~map_folder)\n"
-    "Poses, grid and graph are given in the frame map once the localization has been sure, else in a\n"
-    "frame slam_map of their own. Each start is a new session of the map in ~map_folder. A map is\n"
-    "saved at the end, too.\n";
+    "Poses, grid and graph are given in the frame map once the localization has been sure, else\n"
+    "in a frame slam_map of their own. Each start is a new session of the map in ~map_folder. A\n"
+    "map is saved at the end, too.\n";
 
 constexpr double kStatePeriod = 1;   // wall time [s]
 constexpr double kSilence = 2;       // without a cloud: an error; wall time [s]
@@ -107,7 +108,8 @@ class SlamNode {
     const Outcome resumed = mapper_.Resume(std::move(map));
     if (!resumed) return resumed;
     first_ = first_of_session_ = saved_ = key_frames();
-    if (settings_.maps()) mapper_.BeginSession(settings_.session);
+    FindFrame();
+    if (settings_.maps()) BeginSession(settings_.session);
     mapper_.environment().Force(SurroundingsOf(settings_.surroundings));
     pose_ = node_.advertise<geometry_msgs::PoseStamped>("/slam/pose", 5);
     grid_ = node_.advertise<nav_msgs::OccupancyGrid>("/slam/grid", 1, true);
@@ -168,11 +170,15 @@ class SlamNode {
   // The odometry was restarted, or somebody has carried the robot: how far it went nobody knows.
   void BeginAnew(const char* why) {
     if (frame_ >= 0 && key_frames() > first_of_session_) {
-      mapper_.BeginSession(settings_.session + why);
-      first_of_session_ = key_frames();
-      frame_on_map_.reset();
+      BeginSession(settings_.session + why);
     }
     frame_ = history_.frame();
+  }
+
+  void BeginSession(const std::string& name) {
+    mapper_.BeginSession(name);
+    first_of_session_ = key_frames();
+    frame_on_map_.reset();
   }
 
   void UseCloud() {
@@ -250,15 +256,15 @@ class SlamNode {
     FindFrame();
   }
 
-  // Where the newest key frame's map lies on the navigation's.
+  // Where all maps, and the newest key frame's, lie on the navigation's.
   void FindFrame() {
-    frame_on_map_ = OnNavigationMap(mapper_.graph(), mapper_.key_frames()).back();
+    frames_ = OnNavigationMap(mapper_.graph(), mapper_.key_frames());
+    if (!frames_.empty()) frame_on_map_ = frames_.back();
   }
   const char* FrameName() const { return frame_on_map_ ? kNavigationFrame : kFrame; }
 
   void Tell(double stamp, std::uint32_t key_frame, const Pose3& relative) {
-    const auto frames = OnNavigationMap(mapper_.graph(), mapper_.key_frames());
-    const auto& frame = frames[mapper_.graph().sessions()[key_frame]];
+    const auto& frame = frames_[mapper_.graph().sessions()[key_frame]];
     if (!frame) return;
     localization_.Tell(stamp, ToPose2D(*frame * mapper_.graph().poses()[key_frame] * relative));
     ++told_;
@@ -403,7 +409,8 @@ class SlamNode {
   std::vector<Pose3> drawn_;  // into the voxels, of the first key frames
   localization::PoseHistory history_{4};
   LocalizationLink localization_{node_, history_, [this] { BeginAnew(", carried"); }};
-  Pose2D newest_odometry_;              // of the newest key frame
+  Pose2D newest_odometry_;                    // of the newest key frame
+  std::vector<std::optional<Pose3>> frames_;  // of each session's map, in that of the navigation
   std::optional<Pose3> frame_on_map_;   // of the newest key frame's map, in that of the navigation
   std::optional<double> waits_since_;   // for a picture
   double asked_stamp_ = -kAskPeriod;    // when pictures were looked at last

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robot_app/simulation/floor_scene.h"
+#include "robot_app/slam/graph/floor_pose.h"
 #include "robot_app/slam/graph/planar_fit.h"
 
 namespace coppice::robot::training {
@@ -21,12 +22,7 @@ constexpr double kRightTurn = 0.0873;  // rad
 constexpr double kMovedDoors = 1.0 / 3;
 constexpr double kAside = 0.2;  // m
 
-Pose3 ToPose3(const Pose2& pose) {
-  Pose3 result = Pose3::Identity();
-  result.translation() << pose.x, pose.y, 0;
-  result.linear() = Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return result;
-}
+Pose3 ToPose3(const Pose2& pose) { return slam::ToPose3({pose.x, pose.y, pose.yaw}); }
 
 bool IsFalse(const slam::Link& link, const std::vector<Stop>& stops) {
   const Pose3 truth = ToPose3(stops[link.from].truth).inverse() * ToPose3(stops[link.to].truth);

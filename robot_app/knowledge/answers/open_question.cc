@@ -5,9 +5,6 @@
 namespace coppice::robot::knowledge {
 namespace {
 
-constexpr double kSure = 0.72;  // of a name
-constexpr double kAsGood = 0.93;
-
 bool Has(const Request& request, const Candidate& candidate) {
   return std::find(request.slots.begin(), request.slots.end(),
                    Slot{candidate.kind, candidate.subject}) != request.slots.end();
@@ -65,9 +62,9 @@ std::optional<Request> OpenQuestion::Completed(std::string_view text,
                                                const Understander& understander) const {
   std::vector<Candidate> found = understander.FindNames(text, kinds_);
   found.erase(std::remove_if(found.begin(), found.end(),
-                             [](const Candidate& candidate) { return candidate.fit < kSure; }),
+                             [](const Candidate& candidate) { return candidate.fit < kSureName; }),
               found.end());
-  if (found.empty() || (found.size() > 1 && found[1].value >= kAsGood * found[0].value)) {
+  if (found.empty() || (found.size() > 1 && found[1].value >= kAsGoodName * found[0].value)) {
     return std::nullopt;
   }
   Request request = request_;
@@ -96,7 +93,7 @@ std::optional<Request> OpenQuestion::ByName(std::string_view text,
       if (best == nullptr) {
         best = &choice;
         best_value = candidate.value;
-      } else if (best != &choice && candidate.value >= kAsGood * best_value) {
+      } else if (best != &choice && candidate.value >= kAsGoodName * best_value) {
         return std::nullopt;
       }
     }

@@ -13,8 +13,6 @@ constexpr double kNeeded = 1.6, kTaken = 1.2;  // of a slot that is filled
 constexpr double kUnexplained = 0.55;          // against a row, a word
 constexpr double kMissing = 0.8;               // likewise, a slot
 constexpr double kLeastScore = 0.9;
-constexpr double kSure = 0.72;    // a name that fits worse is asked back
-constexpr double kAsGood = 0.93;  // of the best value: may be meant as well
 constexpr double kLeastTopic = 0.78;
 constexpr std::size_t kMostChoices = 3;
 
@@ -136,14 +134,14 @@ Understander::Reading Understander::Read(const IntentRow& row, const Utterance& 
       reading.needed = taken;
     }
     const Candidate& best = *reading.slots.front();
-    if (candidate.value >= kAsGood * best.value && (candidate.words & best.words).any()) {
+    if (candidate.value >= kAsGoodName * best.value && (candidate.words & best.words).any()) {
       reading.rivals.push_back(&candidate);
     }
   }
   for (const Kind kind : row.takes) {
     const auto found =
         std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-          return candidate.kind == kind && candidate.fit >= kSure &&
+          return candidate.kind == kind && candidate.fit >= kSureName &&
                  (candidate.words & taken).none() && Suits(row, utterance, candidate);
         });
     if (found == candidates.end()) continue;
@@ -196,8 +194,8 @@ Understanding Understander::Judge(const Reading& reading, const Utterance& utter
   result.verdict = reading.is_missing ? Verdict::kMissing : Verdict::kUnderstood;
   if (reading.rivals.empty()) return result;
   const Candidate& best = *reading.rivals.front();
-  if (best.fit < kSure && left.any()) return {Verdict::kUnknown, {}, {}, result.unknown};
-  if (reading.rivals.size() == 1 && best.fit >= kSure) {
+  if (best.fit < kSureName && left.any()) return {Verdict::kUnknown, {}, {}, result.unknown};
+  if (reading.rivals.size() == 1 && best.fit >= kSureName) {
     result.request.slots.insert(result.request.slots.begin(), {best.kind, best.subject});
     return result;
   }

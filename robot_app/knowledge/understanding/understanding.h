@@ -21,6 +21,11 @@
 
 namespace coppice::robot::knowledge {
 
+/// A name that fits worse is asked back.
+inline constexpr double kSureName = 0.72;
+/// Of the best name's value: one of so much may be meant as well.
+inline constexpr double kAsGoodName = 0.93;
+
 struct Slot {
   Kind kind = Kind::kPlace;
   std::string subject;

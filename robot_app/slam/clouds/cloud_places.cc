@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot_app/slam/graph/floor_pose.h"
+
 namespace coppice::robot::slam {
 namespace {
 
@@ -19,12 +21,6 @@ float Unlike(const CloudDescriptor& a, const CloudDescriptor& b) {
 // How well it fits; what only slides along walls does not fit where those end.
 double Fit(const Registration& registration) {
   return registration.overlap + registration.hold_share;
-}
-
-Pose3 Turned(double yaw) {
-  Pose3 pose = Pose3::Identity();
-  pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return pose;
 }
 
 }  // namespace
@@ -78,7 +74,7 @@ std::optional<CloudPlace> CloudPlaces::Find(
     const KnownCloud& known = clouds_[candidate.cloud];
     for (const double turn : LikelyTurns(known.descriptor, cloud.descriptor, settings_.turns)) {
       const auto registration =
-          Register(known.thin, cloud.thin, Turned(turn), settings_.registration);
+          Register(known.thin, cloud.thin, ToPose3({0, 0, turn}), settings_.registration);
       if (!registration) continue;
       if (best && Fit(*registration) <= Fit(best->registration)) continue;
       best = CloudPlace{key_frames_[candidate.cloud], candidate.probability, *registration};

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot_app/slam/graph/floor_pose.h"
+
 namespace coppice::robot::slam {
 namespace {
 
@@ -67,13 +69,6 @@ class Target {
   std::vector<float> square_ = std::vector<float>(1);
 };
 
-Pose3 OnTheFloor(double x, double y, double yaw) {
-  Pose3 pose = Pose3::Identity();
-  pose.translation() << x, y, 0;
-  pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return pose;
-}
-
 // One step of ICP: the shift and turn that lay the points best upon the surfaces beside them (Chen
 // and Medioni), what is farther off counting for less. Walls do not hold what slides along them.
 std::optional<Pose3> StepOf(Target& old_cloud, const ThinCloud& new_cloud, const Pose3& pose,
@@ -97,7 +92,7 @@ std::optional<Pose3> StepOf(Target& old_cloud, const ThinCloud& new_cloud, const
   information.diagonal().array() += 1e-3 * information.trace() / 3 + 1e-9;
   const Eigen::Vector3d step = -information.ldlt().solve(error);
   if (!step.allFinite()) return std::nullopt;
-  return OnTheFloor(step.x(), step.y(), step.z()) * pose;
+  return ToPose3({step.x(), step.y(), step.z()}) * pose;
 }
 
 struct Agreement {

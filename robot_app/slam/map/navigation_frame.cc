@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot_app/slam/graph/floor_pose.h"
 #include "robot_app/slam/graph/planar_fit.h"
 
 namespace coppice::robot::slam {
@@ -61,18 +62,6 @@ std::optional<Pose3> FrameOf(const std::vector<Pair>& pairs) {
 }
 
 }  // namespace
-
-Pose3 ToPose3(const Pose2D& pose) {
-  Pose3 result = Pose3::Identity();
-  result.translation() << pose.x, pose.y, 0;
-  result.linear() = Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return result;
-}
-
-Pose2D ToPose2D(const Pose3& pose) {
-  return {pose.translation().x(), pose.translation().y(),
-          std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};
-}
 
 std::vector<std::optional<Pose3>> OnNavigationMap(
     const SessionGraph& graph, const std::vector<std::shared_ptr<const KeyFrame>>& key_frames) {

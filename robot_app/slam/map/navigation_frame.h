@@ -14,11 +14,6 @@
 
 namespace coppice::robot::slam {
 
-/// The same pose in space, on the floor.
-Pose3 ToPose3(const Pose2D& pose);
-/// What of it a robot on the floor can tell.
-Pose2D ToPose2D(const Pose3& pose);
-
 /// For each session: the pose of its map's frame in the frame of the navigation's map. Nothing
 /// where no key frame of that map has a place; those that are null are not asked.
 std::vector<std::optional<Pose3>> OnNavigationMap(

@@ -159,6 +159,7 @@ void Decoder::SetReplies(const NgramCounts& replies) {
   const Folder files;
   std::ofstream(files.Path("replies.arpa")) << replies.Arpa();
   ngram_model_t* const model = ReadModel(decoder_.get(), files.Path("replies.arpa"));
+  if (model == nullptr) return;
   ps_set_lm(decoder_.get(), kReplies, model);
   ngram_model_free(model);
 }

@@ -41,7 +41,7 @@ class Decoder {
   /// a hundred and one.
   std::vector<knowledge::Alternative> Recognize(const Sound& sound);
 
-  /// What people say to a question back.
+  /// What people say to a question back. Without room for temporary files it stays what it was.
   void SetReplies(const NgramCounts& replies);
   /// Likewise with these alone.
   std::vector<knowledge::Alternative> RecognizeReply(const Sound& sound);

@@ -7,6 +7,7 @@
 #include <random>
 #include <utility>
 
+#include "robot_app/slam/graph/floor_pose.h"
 #include "robot_app/slam/graph/planar_fit.h"
 
 namespace coppice::robot::training {
@@ -83,8 +84,7 @@ class Tour {
   void Add(const Eigen::Vector2d& place, double yaw) {
     TourStep step;
     step.begins = std::exchange(begins_, false);
-    step.truth.translation() << place.x(), place.y(), 0;
-    step.truth.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    step.truth = slam::ToPose3({place.x(), place.y(), yaw});
     step.information = slam::InformationOf(kStepPlace, kStepTurn);
     if (!step.begins) {
       step.moved =
@@ -113,11 +113,7 @@ class Tour {
          slam::InformationOf(kClosurePlace, kClosureTurn), slam::LinkKind::kPicture});
   }
 
-  static Pose3 Turn(double angle) {
-    Pose3 pose = Pose3::Identity();
-    pose.linear() = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    return pose;
-  }
+  static Pose3 Turn(double angle) { return slam::ToPose3({0, 0, angle}); }
 
   // Of a robot on its floor.
   Pose3 Noise(double place, double turn) {

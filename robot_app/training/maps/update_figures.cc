@@ -10,6 +10,7 @@
 #include <random>
 #include <utility>
 
+#include "robot_app/slam/graph/floor_pose.h"
 #include "robot_app/training/draw.h"
 
 namespace coppice::robot::training {
@@ -24,13 +25,6 @@ struct Seen {
   slam::Sight sight;
   double seconds = 0;  // to find its corners
 };
-
-Pose3 ToPose3(double x, double y, double yaw) {
-  Pose3 pose = Pose3::Identity();
-  pose.translation() << x, y, 0;
-  pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return pose;
-}
 
 double Seconds(std::clock_t begin) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -48,7 +42,7 @@ std::vector<Seen> Round(const SlamStudy& study, std::size_t session) {
   for (const Stop& stop : Drive(study.way, tour)) {
     Seen seen;
     slam::Sight& sight = seen.sight;
-    sight.odometry = ToPose3(stop.odometry.x, stop.odometry.y, stop.odometry.yaw);
+    sight.odometry = slam::ToPose3({stop.odometry.x, stop.odometry.y, stop.odometry.yaw});
     sight.cloud = eyes.TakeCloud(stop);
     for (std::size_t camera = 0; camera < 2; ++camera) {
       const simulation::RgbdPicture picture = eyes.TakePicture(stop, camera);
@@ -87,7 +81,7 @@ class Study {
       slam::Sight sight = seen.sight;
       sight.stamp = stamp_ += 1;
       const Pose3 slipped =
-          ToPose3(Draw(random_, -kSlip, kSlip), Draw(random_, -kSlip, kSlip), twist);
+          slam::ToPose3({Draw(random_, -kSlip, kSlip), Draw(random_, -kSlip, kSlip), twist});
       odometry = odometry * (before.inverse() * sight.odometry) * slipped;
       before = std::exchange(sight.odometry, odometry);
       const std::clock_t begin = std::clock();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "robot_app/slam/graph/floor_pose.h"
 #include "tests/support/folders.h"
 
 namespace coppice::robot::slam {

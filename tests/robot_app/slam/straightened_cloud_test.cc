@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "robot_app/slam/map/navigation_frame.h"
+#include "robot_app/slam/graph/floor_pose.h"
 
 namespace coppice::robot::slam {
 namespace {

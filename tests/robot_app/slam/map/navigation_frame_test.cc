@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "robot_app/slam/graph/floor_pose.h"
+
 namespace coppice::robot::slam {
 namespace {
 
