@@ -58,10 +58,11 @@ Supervisor::Supervisor(RobotConfig config, ProcessLauncher& launcher,
   escalation_.stack().Restore(memory.stack_restarts, memory.stack_counting);
 }
 
-SupervisorMemory Supervisor::Remember() const {
+SupervisorMemory Supervisor::RememberAt(const std::string& site) const {
   SupervisorMemory memory;
-  memory.site = site_;
-  if (!ChangesSite()) {  // else it begins with that of the new one
+  memory.site = site;
+  const bool is_other = !config_.sites.empty() && site != config_.sites[config_.site].name;
+  if (!is_other) {  // else it begins with that of the new one
     memory.configuration = config_.configurations[switch_.before_safe_stop()].name;
     memory.manual = switch_.manual();
     memory.safe_stop = switch_.safe_stop();

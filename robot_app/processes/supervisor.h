@@ -51,7 +51,8 @@ class Supervisor {
   /// The robot was brought to another site: everything ends, and begins anew with what belongs to
   /// that one, in its configuration. All that says so is the memory's `site`: whoever saves it has
   /// changed the site, before the first program ends. Refused in a safe stop, to the trees while a
-  /// person holds the configuration, and if `check` says that the site is not complete.
+  /// person holds the configuration, and if `check`, which is asked last, says that the site is not
+  /// complete or cannot be saved.
   Expected<std::string> SetSite(const std::string& name, Hand hand, const CheckSite& check);
   /// To the configuration for the safe stop, until Reset. Refused if there is none.
   Expected<std::string> SafeStop();
@@ -103,7 +104,9 @@ class Supervisor {
   std::vector<std::string> TakeCalls();
 
   /// What a supervisor after this one has to know.
-  SupervisorMemory Remember() const;
+  SupervisorMemory Remember() const { return RememberAt(site_); }
+  /// The same once the robot is at that site.
+  SupervisorMemory RememberAt(const std::string& site) const;
 
   const RobotConfig& config() const { return config_; }
   const ConfigurationSwitch& configuration_switch() const { return switch_; }
@@ -140,7 +143,6 @@ class Supervisor {
 
   std::optional<std::size_t> Find(const std::string& name) const;
   std::optional<std::size_t> FindGroup(const std::string& name) const;
-  bool ChangesSite() const;
   Problem Unknown(const std::string& name) const;
   Expected<std::string> RestartWanted(std::size_t process, const Indices& members,
                                       const std::string& name, Time now, bool cleared);

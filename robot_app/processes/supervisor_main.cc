@@ -57,11 +57,18 @@ RobotConfig Load(const SupervisorSettings& settings, const std::string& site,
   return LoadRobotConfig(settings.config, variables, diagnostics);
 }
 
+Outcome MakeFolder(const std::string& folder) {
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  return error ? Outcome(Problem{folder + ": cannot be made: " + error.message()}) : Outcome();
+}
+
 // Everything that is to begin at a site is looked at before anything ends at this one.
 Outcome CheckComplete(const SupervisorSettings& settings, const std::string& site) {
   Diagnostics diagnostics;
-  Load(settings, site, diagnostics);
-  return diagnostics.has_errors() ? Outcome(Problem{diagnostics.ToString()}) : Outcome();
+  const RobotConfig config = Load(settings, site, diagnostics);
+  if (diagnostics.has_errors()) return Problem{diagnostics.ToString()};
+  return MakeFolder(config.site_folder);
 }
 
 // Where the robot is knows the memory, which is written as a whole: the old site or the new one.
@@ -81,7 +88,8 @@ RobotConfig LoadWhereItIs(const SupervisorSettings& settings, Diagnostics& diagn
 
 Ending RunNode(RobotConfig config, const SupervisorSettings& settings, const RosMaster& master,
                PosixLauncher& launcher) {
-  if (!config.site_folder.empty()) std::filesystem::create_directories(config.site_folder);
+  const Outcome made = MakeFolder(config.site_folder);  // without it nothing is learnt there
+  if (!made) std::cerr << "coppice-supervisor: " << made.problem() << "\n";
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "supervisor", ros::init_options::NoSigintHandler);
   const Outcome set = SetParameters(master.address, config.parameters);  // it lives in their time

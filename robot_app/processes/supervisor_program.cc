@@ -117,15 +117,19 @@ void SupervisorProgram::OfferServices() {
       })));
 }
 
-// Who is told that the site has changed may rely on it: it is on the disk then.
+// Who is told that the site has changed may rely on it: it is on the disk then. One that cannot be
+// written down would be forgotten when all begins anew: at the old site, and nobody would know.
 void SupervisorProgram::OfferSite() {
+  const CheckSite check = [this](const std::string& site) {
+    const Outcome complete = check_site_(site);
+    return complete ? SaveMemory(supervisor_.RememberAt(site), state_file_) : complete;
+  };
   using Site = coppice_msgs::SetSite;
   services_.push_back(handle_.advertiseService<Site::Request, Site::Response>(
       "/supervisor/set_site",
-      boost::function<bool(Site::Request&, Site::Response&)>([this](auto& ask, auto& say) {
+      boost::function<bool(Site::Request&, Site::Response&)>([this, check](auto& ask, auto& say) {
         const Expected<std::string> done =
-            supervisor_.SetSite(ask.site, ask.manual ? Hand::kPerson : Hand::kTree, check_site_);
-        if (done) Save();
+            supervisor_.SetSite(ask.site, ask.manual ? Hand::kPerson : Hand::kTree, check);
         say.ok = done.ok();
         return Reply(done, "set_site " + ask.site, say);
       })));
@@ -314,12 +318,18 @@ void SupervisorProgram::Tell(std::size_t process) {
   std::cout << line << std::endl;
 }
 
+// What cannot be written is tried again, until it can be; the same problem is said once.
 void SupervisorProgram::Save() {
   const SupervisorMemory memory = supervisor_.Remember();
   std::string text = ToText(memory);
   if (text == saved_) return;
-  KeepMemory(memory, state_file_);
-  saved_ = std::move(text);
+  const Outcome saved = SaveMemory(memory, state_file_);
+  if (saved) {
+    saved_ = std::move(text);
+  } else if (saved.problem() != unsaved_because_) {
+    std::cerr << "coppice-supervisor: " << saved.problem() << std::endl;
+  }
+  unsaved_because_ = saved.problem();
 }
 
 }  // namespace coppice::robot::processes

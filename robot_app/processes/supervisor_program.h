@@ -90,7 +90,8 @@ class SupervisorProgram {
   bool master_ended_ = false;
   std::uint64_t published_ = 0;
   Time published_at_{};
-  std::string saved_;
+  std::string saved_;            // what the file holds
+  std::string unsaved_because_;  // empty: it holds all
   std::vector<std::string> told_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

@@ -37,10 +37,6 @@ Expected<std::string> Supervisor::SetConfiguration(const std::string& name, Hand
   return switch_.Request(name, hand, check);
 }
 
-bool Supervisor::ChangesSite() const {
-  return !config_.sites.empty() && site_ != config_.sites[config_.site].name;
-}
-
 Expected<std::string> Supervisor::SetSite(const std::string& name, Hand hand,
                                           const CheckSite& check) {
   std::vector<std::string> names;

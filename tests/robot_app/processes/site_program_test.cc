@@ -96,6 +96,42 @@ TEST_F(SiteProgramTest, ASiteWithoutItsFilesIsNotEntered) {
   graph_.Kill(supervisor_, SIGTERM);
 }
 
+// A full disk, a folder that was deleted: all would begin anew, where the robot is not.
+TEST_F(SiteProgramTest, ASiteThatCannotBeWrittenDownIsNotEntered) {
+  std::filesystem::create_directories(folder_ + "/memory");
+  StartSupervisor({"--state", folder_ + "/memory/supervisor.json"});
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/map") > 0; }));
+  const int before = PidOfNode("/map");
+  std::filesystem::remove_all(folder_ + "/memory");
+  EXPECT_EQ(Move("hill"), 1);
+  EXPECT_THAT(Read("move.log"), HasSubstr("supervisor.json"));
+  EXPECT_EQ(PidOfNode("/map"), before);
+  // As soon as it can be written down again, it may go there.
+  std::filesystem::create_directories(folder_ + "/memory");
+  EXPECT_EQ(Move("hill"), 0);
+  EXPECT_TRUE(Eventually([&] { return PidOfNode("/map") > 0 && Range() == 30; }));
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
+TEST_F(SiteProgramTest, ASiteWhoseFolderCannotBeMadeIsNotEntered) {
+  std::filesystem::create_directories(folder_ + "/learnt");
+  std::ofstream(folder_ + "/learnt/hill") << "a file in its place";
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return IsAt("home"); }));
+  EXPECT_EQ(Move("hill"), 1);
+  EXPECT_THAT(Read("move.log"), HasSubstr("/learnt/hill: cannot be made"));
+  EXPECT_TRUE(IsAt("home"));
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
+TEST_F(SiteProgramTest, WithoutAFolderOfItsSiteTheRobotRunsNevertheless) {
+  std::ofstream(folder_ + "/learnt") << "a file in its place";
+  StartSupervisor();
+  EXPECT_TRUE(Eventually([&] { return PidOfNode("/map") > 0; }));
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("/learnt/home: cannot be made"));
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
 // At moments that are spread over the change, before and after its answer.
 TEST_F(SiteProgramTest, KilledAtAnyMomentOfTheChangeItIsAtTheOldSiteOrAtTheNewOne) {
   int arrived = 0;

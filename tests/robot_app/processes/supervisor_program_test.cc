@@ -391,5 +391,24 @@ TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
               HasSubstr("--set: expected NAME=VALUE, not \"x\""));
 }
 
+// A disk that was full for a while.
+TEST_F(SupervisorProgramTest, WhatCouldNotBeWrittenDownIsWrittenAsSoonAsItCan) {
+  const std::string memory = folder_ + "/memory";
+  std::filesystem::create_directories(memory);
+  StartSupervisor({"--state", memory + "/supervisor.json"});
+  JoinGraph();
+  std::filesystem::remove_all(memory);
+  EXPECT_EQ(ExitStatusOf(graph_.Start(
+                "charge", {kPrograms + "coppice-processes", "configuration", "charging", "--master",
+                           "http://127.0.0.1:" + std::to_string(port_)})),
+            0);
+  ASSERT_TRUE(Eventually(
+      [&] { return Read("supervisor.log").find("/supervisor.json") != std::string::npos; }));
+  std::filesystem::create_directories(memory);
+  EXPECT_TRUE(Eventually(
+      [&] { return Read("memory/supervisor.json").find("\"charging\"") != std::string::npos; }));
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
 }  // namespace
 }  // namespace coppice::robot::processes
