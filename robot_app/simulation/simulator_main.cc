@@ -27,6 +27,7 @@
 #include "robot_app/simulation/faults.h"
 #include "robot_app/simulation/late_messages.h"
 #include "robot_app/simulation/node_signals.h"
+#include "robot_app/simulation/pace.h"
 #include "robot_app/simulation/sensor_messages.h"
 #include "robot_app/simulation/shipped_files.h"
 
@@ -35,7 +36,7 @@ namespace {
 
 constexpr char kHelp[] =
     "coppice-simulator: the simulated robot and its floor, as the ROS node /simulator.\n"
-    "  subscribes  /cmd_vel\n"
+    "  subscribes  /cmd_vel /tf (whether the robot keeps up)\n"
     "  publishes   /clock /odom /scan /imu/data /battery_state /map /tf /tf_static\n"
     "              /sonar/left /sonar/front /sonar/right (sensor_msgs/Range)\n"
     "              /emergency_stop (std_msgs/Bool, true while pressed)\n"
@@ -45,8 +46,14 @@ constexpr char kHelp[] =
     "  service     /simulation/inject_fault (coppice_msgs/InjectFault: breaks things)\n";
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr double kStep = 0.02;       // s of simulated time
-constexpr double kStartTime = 1000;  // s; so that "ten seconds ago" exists for everybody
+constexpr double kStep = 0.02;         // s of simulated time
+constexpr double kLongestBurst = 0.2;  // s of wall time
+constexpr double kStartTime = 1000;    // s; so that "ten seconds ago" exists for everybody
+
+double WallTime() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
 
 // In whole microseconds: the world's time is a sum of steps, and 0.8 s should not read 0.799999999.
 ros::Time ToRosTime(double time) {
@@ -73,7 +80,8 @@ Parameters ParametersOf(Settings& settings) {
       {"floor", &settings.floor_file, "description of the floor, a YAML file"},
       {"robot", &settings.robot_file, "description of the robot, a URDF file"},
       {"seed", &world.seed, 0, 1e9, "of the sensors' noise"},
-      {"speed", &settings.speed, 0, 1000, "times real time; 0: as fast as possible"},
+      {"speed", &settings.speed, 0, 1000,
+       "times real time, while the robot keeps up; 0: as fast as possible"},
       {"start", &settings.start, "\"X Y YAW\" on the map; none: docked"},
       {"state_of_charge", &world.state_of_charge, 0, 1, "of the battery"},
       {"localization", &settings.localization, "publishes map -> odom"},
@@ -124,17 +132,13 @@ class SimulatorNode {
   }
 
   void Run() {
-    using Clock = std::chrono::steady_clock;
-    auto next = Clock::now();
     while (ros::ok()) {
       ros::getGlobalCallbackQueue()->callAvailable();
       Step();
-      if (settings_.speed <= 0) continue;
-      next += std::chrono::duration_cast<Clock::duration>(
-          std::chrono::duration<double>(kStep / settings_.speed));
+      next_ += pace_.Seconds(kStep, kStartTime + world_.time(), WallTime());
       // Too slow a computer slows the simulated time down; it does not catch up in a burst.
-      next = std::max(next, Clock::now() - std::chrono::milliseconds(200));
-      std::this_thread::sleep_until(next);
+      next_ = std::max(next_, WallTime() - kLongestBurst);
+      std::this_thread::sleep_for(std::chrono::duration<double>(next_ - WallTime()));
     }
   }
 
@@ -159,6 +163,9 @@ class SimulatorNode {
         "/cmd_vel", 1, [this](const geometry_msgs::Twist::ConstPtr& twist) {
           command_ = Velocity{twist->linear.x, twist->angular.z};
         });
+    transform_subscriber_ = node_.subscribe<tf2_msgs::TFMessage>(
+        "/tf", 100,
+        [this](const tf2_msgs::TFMessage::ConstPtr& message) { OnTransforms(*message); });
     using Service = coppice_msgs::InjectFault;
     fault_service_ = node_.advertiseService(
         "/simulation/inject_fault",
@@ -197,6 +204,15 @@ class SimulatorNode {
     if (truth_due_.Due(world_.time())) PublishTruth();
     if (state_due_.Due(world_.time())) PublishState();
     late_.Send(world_.time());
+  }
+
+  // The robot's own part of the way from the map to its base.
+  void OnTransforms(const tf2_msgs::TFMessage& message) {
+    for (const auto& transform : message.transforms) {
+      const std::string& child = transform.child_frame_id;
+      if (child != "odom" && child != "base_link") continue;
+      pace_.Heard(child, transform.header.stamp.toSec(), WallTime());
+    }
   }
 
   template <typename Message>
@@ -336,6 +352,8 @@ class SimulatorNode {
   }
 
   Settings settings_;
+  Pace pace_{settings_.speed};
+  double next_ = WallTime();  // step
   World world_;
   NodeSignals node_signals_;
   Faults faults_;
@@ -345,6 +363,7 @@ class SimulatorNode {
       state_;
   std::vector<ros::Publisher> sonars_;  // in the order of kSonars
   ros::Subscriber command_subscriber_;
+  ros::Subscriber transform_subscriber_;
   ros::ServiceServer fault_service_;
   std::optional<Velocity> command_;
   ros::Time stamp_;
