@@ -43,7 +43,8 @@ constexpr char kHelp[] =
     "              /simulation/truth (for evaluation only)\n"
     "              /velodyne_points (the 3-D lidar, while somebody subscribes)\n"
     "              /simulation/world (for coppice-simulated-cameras and evaluation, the same)\n"
-    "  service     /simulation/inject_fault (coppice_msgs/InjectFault: breaks things)\n";
+    "  service     /simulation/inject_fault (coppice_msgs/InjectFault: breaks things)\n"
+    "Faster than real time it waits for a robot that is late.\n";
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr double kStep = 0.02;         // s of simulated time
@@ -80,8 +81,7 @@ Parameters ParametersOf(Settings& settings) {
       {"floor", &settings.floor_file, "description of the floor, a YAML file"},
       {"robot", &settings.robot_file, "description of the robot, a URDF file"},
       {"seed", &world.seed, 0, 1e9, "of the sensors' noise"},
-      {"speed", &settings.speed, 0, 1000,
-       "times real time, while the robot keeps up; 0: as fast as possible"},
+      {"speed", &settings.speed, 0, 1000, "times real time at most; 0: as fast as possible"},
       {"start", &settings.start, "\"X Y YAW\" on the map; none: docked"},
       {"state_of_charge", &world.state_of_charge, 0, 1, "of the battery"},
       {"localization", &settings.localization, "publishes map -> odom"},
