@@ -114,10 +114,14 @@ class Devices {
     lights_.publish(message);
   }
 
+  // Not twice for the same time, which tf refuses: slower than real time the clock stands between.
   void PublishLimbs() {
+    const ros::Time now = ros::Time::now();
+    if (now == published_) return;
+    published_ = now;
     sensor_msgs::JointState state;
     tf2_msgs::TFMessage frames;
-    state.header.stamp = ros::Time::now();
+    state.header.stamp = now;
     for (std::size_t i = 0; i < mounts_.size(); ++i) {
       const JointOnRobot& joint = limbs_.joints()[i];
       const double angle = limbs_.angles()[i];
@@ -141,6 +145,7 @@ class Devices {
 
   Limbs limbs_;
   std::vector<FrameOnRobot> mounts_;  // one for each joint, level on the body
+  ros::Time published_;               // 0: ROS time has not begun
   const FaceFrame* shown_ = nullptr;
   LightStep lit_{0, {}, {}};
   ros::Publisher image_, lights_, joints_, tf_;

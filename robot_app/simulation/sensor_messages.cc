@@ -42,6 +42,7 @@ geometry_msgs::TransformStamped ToTransform(const ros::Time& stamp, const char* 
 tf2_msgs::TFMessage ToMessage(const RobotDescription& robot, const ros::Time& stamp) {
   tf2_msgs::TFMessage message;
   for (const FrameOnRobot& frame : robot.frames()) {
+    if (!frame.is_fixed) continue;
     geometry_msgs::TransformStamped transform;
     transform.header.stamp = stamp;
     transform.header.frame_id = frame.parent;

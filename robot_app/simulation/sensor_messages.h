@@ -23,7 +23,7 @@ geometry_msgs::Pose ToPoseMessage(const Pose2& pose);
 geometry_msgs::TransformStamped ToTransform(const ros::Time& stamp, const char* parent,
                                             const char* child, const Pose2& pose);
 
-/// All frames on the robot. What moves stands at zero: nothing moves it yet.
+/// The frames that are fixed on the robot. Those that move are told by who moves them.
 tf2_msgs::TFMessage ToMessage(const RobotDescription& robot, const ros::Time& stamp);
 
 nav_msgs::OccupancyGrid ToMessage(const GridMap& map);

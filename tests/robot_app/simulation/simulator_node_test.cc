@@ -171,6 +171,7 @@ TEST_F(SimulatorNodeTest, StartsDockedWithMapAndTransforms) {
   for (const char* const frame : {"laser", "velodyne", "camera_front_optical", "sonar_left"}) {
     EXPECT_TRUE(HasFrame(tf_static.get(), frame)) << frame;
   }
+  EXPECT_FALSE(HasFrame(tf_static.get(), "left_ear"));  // it moves: told by who moves it
   std::string description;
   EXPECT_TRUE(ros::param::get("/robot_description", description));
   EXPECT_THAT(description, HasSubstr("<robot name=\"sobi\">"));
