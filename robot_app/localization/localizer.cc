@@ -17,6 +17,7 @@ constexpr double kStep = 0.05;           // the filter weighs again after this m
 constexpr double kRest = 0.5;            // or, while not confirmed, after this time [s]
 constexpr double kMatchedWithin = 0.25;  // a match farther from the particles is none [m]
 constexpr double kMatchedTurn = 0.15;    // rad
+constexpr double kHeld = 0.05;           // so well do the particles hold what a scan does not [m]
 constexpr double kJumpDeviation = 0.2;   // when the odometry was restarted [m], [rad]
 constexpr double kStillLook = 3;         // s; long enough for who has not moved to be sure
 constexpr double kExpectedWithin = 2;    // m
@@ -217,8 +218,12 @@ void Localizer::Follow(const std::vector<Beam>& beams) {
     jumped_ = true;
     proven_ = false;
   }
-  // The scan says it more precisely than the particles, as long as both mean the same place.
-  const Pose2D matched = MatchScan(map_->field, beams, pose_);
+  // The scan says it more precisely than the particles, as long as both mean the same place. Along
+  // a corridor it says next to nothing, and the walls of a map that is not quite straight would
+  // draw it along: there the particles hold it.
+  MatchSettings held;
+  held.trust = kHeld;
+  const Pose2D matched = MatchScan(map_->field, beams, believed, held);
   const double limit = std::max(kMatchedWithin, 2 * belief_.deviation());
   if (Distance(matched, believed) < limit &&
       std::abs(NormalizeAngle(matched.yaw - believed.yaw)) < kMatchedTurn) {
