@@ -50,6 +50,7 @@ void LocalizationLink::Tell(double stamp, const Pose2D& pose) {
 
 void LocalizationLink::OnState(const LocalizationState& state) {
   is_sure_ = state.phase == LocalizationState::OK;
+  recognized_ = state.header.stamp.toSec() - state.seconds_since_recognized;
   if (state.phase == LocalizationState::LOST && odom_in_map_) {
     odom_in_map_.reset();
     carried_();

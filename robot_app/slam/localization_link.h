@@ -8,6 +8,7 @@
 #include <ros/node_handle.h>
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "robot_app/localization/pose_history.h"
@@ -25,6 +26,9 @@ class LocalizationLink {
   /// The localization says that it is sure.
   bool is_sure() const { return is_sure_; }
 
+  /// The stamp at which it last believed what it was told [s]; -infinity: never.
+  double recognized() const { return recognized_; }
+
   /// base_link on the map for base_link in odom at `stamp`; nothing unless the localization was
   /// sure within the last second.
   std::optional<Pose2D> PlaceOf(double stamp, const Pose2D& odometry) const;
@@ -41,6 +45,7 @@ class LocalizationLink {
   const localization::PoseHistory& odometry_;
   std::function<void()> carried_;
   bool is_sure_ = false;
+  double recognized_ = -std::numeric_limits<double>::infinity();
   std::optional<Pose2D> odom_in_map_;  // when it was sure last, in this frame of the odometry
   double stamp_ = 0;                   // of that
   int frame_ = 0;                      // of the odometry

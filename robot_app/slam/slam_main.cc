@@ -7,14 +7,12 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "robot_app/common/ros_support.h"
@@ -27,9 +25,11 @@
 #include "robot_app/slam/graph/floor_pose.h"
 #include "robot_app/slam/graph_message.h"
 #include "robot_app/slam/localization_link.h"
+#include "robot_app/slam/map/map_folder.h"
 #include "robot_app/slam/map/navigation_frame.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"
+#include "robot_app/slam/map/voxel_worker.h"
 #include "robot_app/slam/straightened_cloud.h"
 
 namespace coppice::robot::slam {
@@ -52,16 +52,16 @@ constexpr char kHelp[] =
     "in a frame slam_map of their own. Each start is a new session of the map in ~map_folder. A\n"
     "map is saved at the end, too.\n";
 
-constexpr double kStatePeriod = 1;   // wall time [s]
-constexpr double kSilence = 2;       // without a cloud: an error; wall time [s]
-constexpr double kSameMoment = 0.5;  // between a cloud and a picture that goes with it [s]
-constexpr double kSweep = 0.1;       // that a turn of the lidar takes [s]
-constexpr double kDrawPeriod = 1;    // wall time [s]
-constexpr int kDrawnAtOnce = 5;      // key frames; one takes some 0.1 s
-constexpr double kDrawnWell = 0.1;   // a pose may be off in the voxels [m]
+constexpr double kStatePeriod = 1;  // wall time [s]
+constexpr double kSilence = 2;      // without a cloud: an error; wall time [s]
+constexpr double kSamePlace = 0.3;  // between a cloud and a picture that goes with it [m],
+constexpr double kSameTurn = 0.5;   // rad
+constexpr double kSweep = 0.1;      // that a turn of the lidar takes [s]
+constexpr double kDrawPeriod = 1;   // wall time [s]
+constexpr int kDrawnAtOnce = 5;     // key frames
+constexpr double kDrawnWell = 0.1;  // a pose may be off in the voxels [m]
 constexpr char kShipped[] = "shipped";
 constexpr char kNone[] = "none";
-constexpr char kStore[] = "memory.db";
 constexpr char kFrame[] = "slam_map";
 constexpr char kNavigationFrame[] = "map";
 constexpr double kFirstPicture = 5;  // so long a session's first key frame waits for all [s]
@@ -179,6 +179,7 @@ class SlamNode {
     mapper_.BeginSession(name);
     first_of_session_ = key_frames();
     frame_on_map_.reset();
+    began_.reset();
   }
 
   void UseCloud() {
@@ -195,15 +196,15 @@ class SlamNode {
     Sight sight;
     sight.stamp = stamp;
     sight.odometry = ToPose3(*odometry);
+    if (!began_) began_ = stamp;
     const bool is_due = settings_.maps() && mapper_.IsDue(sight.odometry);
-    if (!is_due && !IsAsked(sight)) return;
+    if (is_due ? WaitsForPictures(stamp) : !IsAsked(sight)) return;
     if (is_due) {
       const Outcome decoded = AddCloud(*cloud, sight);
       problem_ = decoded.problem();
       if (!decoded) return;
     }
     for (const auto& camera : cameras_) AddPicture(*camera, sight);
-    if (is_due && WaitsForPictures(sight)) return;
     asked_stamp_ = stamp;
     asked_at_ = sight.odometry;
     sight.place = localization_.PlaceOf(stamp, *odometry);
@@ -215,23 +216,30 @@ class SlamNode {
   }
 
   // A robot that stands makes no other key frame: the first one must have seen something.
-  bool WaitsForPictures(const Sight& sight) {
-    if (key_frames() > first_of_session_ || sight.pictures.size() == cameras_.size()) {
+  bool WaitsForPictures(double stamp) {
+    const auto has_picture = [](const auto& camera) { return camera->HasMoment(false); };
+    if (key_frames() > first_of_session_ ||
+        std::all_of(cameras_.begin(), cameras_.end(), has_picture)) {
       waits_since_.reset();
     } else if (!waits_since_) {
-      waits_since_ = sight.stamp;
+      waits_since_ = stamp;
     }
-    return waits_since_ && std::abs(sight.stamp - *waits_since_) < kFirstPicture;
+    return waits_since_ && std::abs(stamp - *waits_since_) < kFirstPicture;
   }
 
-  // Whether the localization needs to hear of places though no key frame is due.
+  // Whether the localization needs to hear of places though no key frame is due: it is not sure, or
+  // has believed none since this session began, and the robot may stand for hours.
   bool IsAsked(const Sight& sight) const {
     if (key_frames() == 0 || !localization_.IsAsked()) return false;
-    if (!localization_.is_sure()) return std::abs(sight.stamp - asked_stamp_) >= kAskPeriod;
-    const Pose3 moved = asked_at_.inverse() * sight.odometry;
-    return !settings_.maps() &&
-           (moved.translation().norm() >= settings_.mapper.step ||
-            Eigen::AngleAxisd(moved.linear()).angle() >= settings_.mapper.turn);
+    if (!localization_.is_sure() || localization_.recognized() < *began_) {
+      return std::abs(sight.stamp - asked_stamp_) >= kAskPeriod;
+    }
+    return !settings_.maps() && !IsWithin(asked_at_.inverse() * sight.odometry,
+                                          settings_.mapper.step, settings_.mapper.turn);
+  }
+
+  static bool IsWithin(const Pose3& moved, double way, double turn) {
+    return moved.translation().norm() < way && Eigen::AngleAxisd(moved.linear()).angle() < turn;
   }
 
   void AddKeyFrame(const Sight& sight) {
@@ -279,7 +287,8 @@ class SlamNode {
     return {};
   }
 
-  // What a camera saw at about that moment. A picture that does not fit is left out.
+  // What a camera saw at about that place: a picture may be late. One that does not fit is left
+  // out.
   void AddPicture(perception::RgbdTopics& camera, Sight& sight) {
     if (!camera.HasMoment(false)) return;
     const auto moment = camera.Take();
@@ -287,17 +296,18 @@ class SlamNode {
     const double stamp = moment->header.stamp.toSec();
     const auto odometry = history_.At(stamp);
     const auto mount = transforms_.Find("base_link", moment->header.frame_id, ros::Time(0));
-    if (!odometry || !mount || std::abs(stamp - sight.stamp) > kSameMoment) return;
+    if (!odometry || !mount) return;
     const Pose3 moved = sight.odometry.inverse() * ToPose3(*odometry);
+    if (!IsWithin(moved, kSamePlace, kSameTurn)) return;
     const CameraMount lens{moment->lens, moved * ToEigen(mount->transform)};
     sight.pictures.push_back({FindFeatures(moment->colour, moment->depth, lens), lens});
     sight.brightness = BrightnessOf(moment->colour);
   }
 
   // Enters some key frames into the voxels. Those that have moved cannot be taken out: then all are
-  // entered anew, some at a time, so that the robot's pose does not wait for it.
+  // entered anew, some at a time, so that not too much is read from the disk at once.
   void DrawSome() {
-    if (key_frames() == first_of_session_) return;
+    if (key_frames() == first_of_session_ || !voxels_.IsIdle()) return;
     std::vector<Pose3> poses = mapper_.graph().poses();
     if (frame_on_map_) {
       for (Pose3& pose : poses) pose = *frame_on_map_ * pose;
@@ -310,15 +320,14 @@ class SlamNode {
         !std::equal(drawn_.begin(), drawn_.end(), poses.begin(), std::not_fn(has_moved))) {
       drawn_.clear();
       drawn_map_ = map;
-      voxels_ = VoxelMap(settings_.mapper.resolution);
+      voxels_.Clear();
     }
     for (int i = 0; i < kDrawnAtOnce && drawn_.size() < poses.size(); ++i) {
       const auto next = static_cast<std::uint32_t>(drawn_.size());
       drawn_.push_back(poses[next]);
       if (mapper_.graph().map_of(mapper_.graph().sessions()[next]) != map) continue;
       const auto key_frame = mapper_.key_frame(next);
-      if (!key_frame) continue;  // the diagnostics say it
-      voxels_.Add((*key_frame)->points, poses[next], settings_.mapper.lidar, (*key_frame)->range);
+      if (key_frame) voxels_.Add(*key_frame, poses[next]);  // else the diagnostics say it
     }
   }
 
@@ -326,10 +335,10 @@ class SlamNode {
     if (key_frames() == first_of_session_ || drawn_.size() == shown_) return;
     if (drawn_.size() < key_frames()) return;  // not yet whole
     shown_ = drawn_.size();
-    const OccupancyGrid grid = voxels_.Project();
-    if (grid.frame.size() > 0) {
-      grid_.publish(mapping::ToMessage(grid, FrameName(), ros::Time::now()));
-    }
+    voxels_.Project(
+        [grids = grid_, frame = FrameName(), now = ros::Time::now()](const OccupancyGrid& grid) {
+          if (grid.frame.size() > 0) grids.publish(mapping::ToMessage(grid, frame, now));
+        });
     if (markers_.getNumSubscribers() == 0) return;
     markers_.publish(MarkersOf(mapper_.graph(), FrameName(),
                                frame_on_map_.value_or(Pose3::Identity()), ros::Time::now()));
@@ -404,7 +413,6 @@ class SlamNode {
   std::size_t first_of_session_ = 0;
   std::size_t saved_ = 0;
   std::size_t shown_ = 0;
-  VoxelMap voxels_{settings_.mapper.resolution};
   std::uint32_t drawn_map_ = 0;
   std::vector<Pose3> drawn_;  // into the voxels, of the first key frames
   localization::PoseHistory history_{4};
@@ -416,7 +424,8 @@ class SlamNode {
   double asked_stamp_ = -kAskPeriod;    // when pictures were looked at last
   Pose3 asked_at_ = Pose3::Identity();  // odometry
   std::size_t told_ = 0;
-  int frame_ = -1;  // of the odometry
+  std::optional<double> began_;  // stamp of the first cloud of this session
+  int frame_ = -1;               // of the odometry
   std::vector<std::unique_ptr<perception::RgbdTopics>> cameras_;
   sensor_msgs::PointCloud2::ConstPtr cloud_;  // not yet used
   std::vector<perception::LidarPoint> points_;
@@ -429,6 +438,7 @@ class SlamNode {
   ros::ServiceServer save_;
   ros::Timer grid_timer_;
   ros::WallTimer draw_timer_, state_timer_;
+  VoxelWorker voxels_{settings_.mapper.resolution, settings_.mapper.lidar};  // before all of them
 };
 
 int Fail(const std::string& problem) {
@@ -438,26 +448,6 @@ int Fail(const std::string& problem) {
 
 std::string FileOr(const std::string& file, const char* shipped) {
   return file == kShipped ? Shipped(shipped) : file;
-}
-
-// The map that the store has, unless the folder has a version that was put there by somebody else.
-Expected<SlamMap> MapIn(const std::string& folder, MapStore& store) {
-  const int newest = NewestVersion(folder);
-  auto kept = store.Load();
-  if (!kept || newest == 0 || store.version() == newest) return kept;
-  auto loaded = LoadSlamMap(folder);
-  if (!loaded) return Problem{loaded.problem()};
-  const Outcome cleared = store.Clear();
-  if (!cleared) return Problem{cleared.problem()};
-  if (!loaded->remark.empty()) ROS_WARN("%s", loaded->remark.c_str());
-  return std::move(loaded->map);
-}
-
-Expected<std::unique_ptr<MapStore>> StoreIn(const std::string& folder) {
-  if (folder == kNone) return MapStore::Open("");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  return MapStore::Open((std::filesystem::path(folder) / kStore).string());
 }
 
 int Run(Settings settings) {
@@ -475,14 +465,13 @@ int Run(Settings settings) {
   if (!vocabulary) return Fail(vocabulary.problem());
   const auto classifier = PlaceClassifier::Load(FileOr(settings.classifier, COPPICE_PLACES));
   if (!classifier) return Fail(classifier.problem());
-  auto store = StoreIn(settings.map_folder);
-  if (!store) return Fail(store.problem());
-  auto map = MapIn(settings.map_folder, **store);
-  if (!map) return Fail(map.problem());
-  MapStore& kept = **store;
-  SlamNode node(settings, *vocabulary, *classifier, *std::move(store));
-  Outcome started = node.Start(*std::move(map));
-  if (started) started = kept.SetVersion(NewestVersion(settings.map_folder));
+  auto opened = OpenMapFolder(settings.map_folder == kNone ? "" : settings.map_folder);
+  if (!opened) return Fail(opened.problem());
+  if (!opened->remark.empty()) ROS_WARN("%s", opened->remark.c_str());
+  MapStore& store = *opened->store;
+  SlamNode node(settings, *vocabulary, *classifier, std::move(opened->store));
+  Outcome started = node.Start(std::move(opened->map));
+  if (started) started = store.SetVersion(opened->version);
   if (!started) return Fail(started.problem());
   ros::spin();
   node.KeepWhatIsUnsaved();

@@ -195,6 +195,36 @@ TEST_F(SlamNodeTest, TellsTheLocalizationWhereItIsWhenItWasCarriedBackToWhatItKn
   EXPECT_NEAR(found->pose.pose.position.y, -3.25, 0.1);
 }
 
+// What is told before anybody listens is lost, and a robot that stands makes no other key frame.
+TEST_F(SlamNodeTest, ALocalizationThatIsStartedLaterHearsWhereTheStandingRobotIs) {
+  using State = coppice_msgs::LocalizationState;
+  const std::string place = "-0.7 0 3.14159";  // before the poster above the station
+  StartSimulator(place, "false");
+  const std::vector<std::string> localization = {kPrograms + "coppice-localization",
+                                                 "_start_pose:=" + place};
+  localization_ = ChildProcess(localization, Temporary("localization.log"));
+  const Latest<geometry_msgs::PoseStamped> pose(node_, "/slam/pose");
+  StartSlam("morning");
+  const auto is_on_map = [&] { return pose.get() && pose.get()->header.frame_id == "map"; };
+  ASSERT_TRUE(Eventually(is_on_map, kPatience)) << TextOf(Temporary("slam.log"));
+  EXPECT_EQ(slam_.Stop(std::chrono::seconds(20)), 0);
+  EXPECT_EQ(localization_.Stop(std::chrono::seconds(20)), 0);
+
+  StartSlam("afternoon");
+  std_srvs::Trigger save;
+  const auto has_both = [&] {
+    const auto map = ros::service::call("/slam/save", save) ? LoadSlamMap(kMaps)
+                                                            : Expected<LoadedMap>(Problem{""});
+    return map && map->map.names.size() == 2;
+  };
+  ASSERT_TRUE(Eventually(has_both, kPatience)) << TextOf(Temporary("slam.log"));
+  localization_ = ChildProcess(localization, Temporary("localization.log"));
+  const Latest<State> state(node_, "/localization/state");
+  EXPECT_TRUE(Eventually([&] { return state.get() && state.get()->seconds_since_recognized < 1e6; },
+                         kPatience))
+      << TextOf(Temporary("localization.log"));
+}
+
 TEST_F(SlamNodeTest, RefusesWhatMakesNoSense) {
   const std::string log = Temporary("refused.log"), slam = kPrograms + "coppice-slam";
   EXPECT_EQ(RunToTheEnd({slam, "__name:=a", "_surroundings:=cellar"}, log), 2);
