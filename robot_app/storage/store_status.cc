@@ -43,7 +43,7 @@ StatusLine OfServer(const StoreState& state, WallTime now) {
 
 StatusLine StoreStatus::OfSpool(const StoreState& state, WallTime now) {
   const std::int64_t lost = state.backlog.lost;
-  if (lost_ >= 0 && lost > lost_) lost_at_ = now;
+  if (lost_ >= 0 && lost > 0 && lost != lost_) lost_at_ = now;  // fewer: of a new spool
   lost_ = lost;
   StatusLine line{"spool", Level::kOk, "messages are kept on the disk", {}};
   line.values = {{"documents", std::to_string(state.backlog.documents)},

@@ -2,12 +2,14 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include "robot_app/common/databases/open_database.h"
 #include "robot_app/knowledge/store/schema.h"
 
 namespace coppice::robot::knowledge {
 namespace {
 
-constexpr int kPatience = 5000;  // ms, with another writer
+constexpr int kPatience = 5000;          // ms, with another writer
+constexpr int kLongestValue = 16 << 20;  // bytes
 
 }  // namespace
 
@@ -25,7 +27,7 @@ Expected<Database> Database::OpenOrCreate(const std::string& path) {
 
 Expected<Database> Database::OpenAs(const std::string& path, int flags) {
   try {
-    Database database(std::make_unique<SQLite::Database>(path, flags, kPatience));
+    Database database(OpenDatabase(path, flags, kPatience, kLongestValue));
     const Outcome outcome = database.Prepare(path);
     if (!outcome) return Problem{outcome.problem()};
     return database;

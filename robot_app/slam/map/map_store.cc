@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "robot_app/common/databases/open_database.h"
 #include "robot_app/slam/map/map_bytes.h"
 
 namespace coppice::robot::slam {
@@ -17,6 +18,7 @@ namespace {
 constexpr int kApplicationId = 0x436f536c;  // "CoSl"
 constexpr int kSchemaVersion = 2;
 constexpr int kPatience = 1000;                 // ms, with another program
+constexpr int kLongestPart = 16 << 20;          // bytes, packed
 constexpr int kDamaged = 11, kNoDatabase = 26;  // SQLITE_CORRUPT, SQLITE_NOTADB
 constexpr char kSchema[] =
     "CREATE TABLE parts (kind INTEGER, number INTEGER, bytes BLOB NOT NULL, "
@@ -70,8 +72,8 @@ Expected<std::unique_ptr<MapStore>> MapStore::Open(const std::string& file) {
 }
 
 Expected<std::unique_ptr<MapStore>> MapStore::OpenWhole(const std::string& file) {
-  auto database = std::make_unique<SQLite::Database>(
-      file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience);
+  auto database =
+      OpenDatabase(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience, kLongestPart);
   database->exec("PRAGMA locking_mode = EXCLUSIVE");
   database->exec("PRAGMA journal_mode = WAL");
   database->exec("PRAGMA synchronous = NORMAL");

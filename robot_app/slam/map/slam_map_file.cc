@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr char kHeader[] = "coppice slam map 2\n";
 constexpr int kKept = 3;                                   // versions
+constexpr int kLastVersion = 999'999'999;                  // no map of ours has a higher number
 constexpr std::size_t kLongestMap = std::size_t{2} << 30;  // bytes of a file
 
 // As ReadFile, of any size.
@@ -49,7 +50,8 @@ std::vector<int> VersionsIn(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     int version = 0;
     const std::string name = entry.path().filename();
-    if (std::sscanf(name.c_str(), "map-%d.slam", &version) == 1 && name == NameOf(version)) {
+    if (std::sscanf(name.c_str(), "map-%d.slam", &version) == 1 && name == NameOf(version) &&
+        version <= kLastVersion) {
       versions.push_back(version);
     }
   }

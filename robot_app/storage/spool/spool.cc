@@ -2,22 +2,29 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
+#include <sys/stat.h>
 
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "robot_app/common/databases/open_database.h"
 #include "robot_app/storage/spool/schema.h"
 
 namespace coppice::robot::storage {
 namespace {
 
-constexpr int kDamaged = 11;             // SQLITE_CORRUPT
-constexpr int kPatience = 1000;          // ms, with another program
-constexpr int kGivenUpAtOnce = 50;       // documents, when there is no room
+constexpr int kDamaged = 11, kNoDatabase = 26;  // SQLITE_CORRUPT, SQLITE_NOTADB
+constexpr int kLongestDocument = 16 << 20;      // bytes; none is longer than 4 MB
+constexpr int kPatience = 1000;                 // ms, with another program
+constexpr int kGivenUpAtOnce = 50;              // documents, when there is no room
 constexpr int kFreePages = 4096;         // that are kept in the file when it has become empty
 constexpr std::size_t kMostTypes = 200;  // in memory
 constexpr const char* kNoRoom = "the spool was full";
+constexpr const char* kDeleted = "the spool was deleted";
+constexpr const char* kWasDamaged = "the spool was damaged";
+constexpr const char* kAllTopics = "all topics";
 
 Document ReadDocument(SQLite::Statement& row, std::shared_ptr<const MessageType> type) {
   return {row.getColumn(0).getInt64(), row.getColumn(1).getInt(),    row.getColumn(2).getInt64(),
@@ -40,6 +47,13 @@ void Make(SQLite::Database& database) {
   transaction.commit();
 }
 
+// Zeros if there is none.
+std::pair<dev_t, ino_t> FileAt(const std::string& path) {
+  struct stat file {};
+  if (stat(path.c_str(), &file) != 0) return {};
+  return {file.st_dev, file.st_ino};
+}
+
 // What its log holds is of the damaged file and goes with it.
 bool PutAside(const std::string& path) {
   std::error_code error;
@@ -51,41 +65,88 @@ bool PutAside(const std::string& path) {
 
 }  // namespace
 
-Spool::Spool(std::unique_ptr<SQLite::Database> database, const SpoolLimits& limits)
-    : limits_(limits), database_(std::move(database)) {}
+Spool::Spool(std::string path, const SpoolLimits& limits)
+    : path_(std::move(path)), limits_(limits) {}
 Spool::~Spool() = default;
 
 Expected<std::unique_ptr<Spool>> Spool::Open(const std::string& path, const SpoolLimits& limits) {
+  std::unique_ptr<Spool> spool(new Spool(path, limits));
+  Outcome opened;
   try {
-    return OpenWhole(path, limits);
+    opened = spool->OpenFile();
   } catch (const SQLite::Exception& error) {
+    spool->database_.reset();
     const bool is_damaged = error.getErrorCode() == kDamaged && PutAside(path);
     if (!is_damaged) return Problem{path + ": " + error.what()};
+    spool->has_replaced_ = true;
   }
   try {
-    auto spool = OpenWhole(path, limits);
-    if (spool) (*spool)->has_replaced_ = true;
-    return spool;
+    if (spool->has_replaced_) opened = spool->OpenFile();
   } catch (const SQLite::Exception& error) {
     return Problem{path + ": " + error.what()};
   }
+  if (!opened) return Problem{opened.problem()};
+  return spool;
 }
 
-Expected<std::unique_ptr<Spool>> Spool::OpenWhole(const std::string& path,
-                                                  const SpoolLimits& limits) {
-  auto database = std::make_unique<SQLite::Database>(
-      path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience);
-  database->exec("PRAGMA locking_mode = EXCLUSIVE");  // two writers would send everything twice
-  if (IsEmpty(*database)) Make(*database);
-  if (database->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
-    return Problem{path + ": a database of another program"};
+Outcome Spool::OpenFile() {
+  database_ = OpenDatabase(path_, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience,
+                           kLongestDocument);
+  database_->exec("PRAGMA locking_mode = EXCLUSIVE");  // two writers would send everything twice
+  if (IsEmpty(*database_)) Make(*database_);
+  if (database_->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
+    return Problem{path_ + ": a database of another program"};
   }
-  if (database->execAndGet("PRAGMA user_version").getInt() != kSchemaVersion) {
-    return Problem{path + ": a spool of another version of Coppice; send it with that, first"};
+  if (database_->execAndGet("PRAGMA user_version").getInt() != kSchemaVersion) {
+    return Problem{path_ + ": a spool of another version of Coppice; send it with that, first"};
   }
-  std::unique_ptr<Spool> spool(new Spool(std::move(database), limits));
-  spool->Prepare();
-  return spool;
+  Prepare();
+  file_ = FileAt(path_);
+  return {};
+}
+
+// A file that was deleted takes all that is written into it along.
+void Spool::Renew(std::int64_t now) {
+  const bool is_deleted = FileAt(path_) != file_;
+  gone_ += std::exchange(documents_, 0);
+  database_.reset();
+  types_.clear();
+  if (!is_deleted) PutAside(path_);
+  std::error_code error;  // opening says it
+  std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), error);
+  try {
+    const Outcome opened = OpenFile();
+    if (!opened) throw std::runtime_error(opened.problem());
+    has_replaced_ = true;
+    const char* const why = is_deleted ? kDeleted : kWasDamaged;
+    if (gone_ > 0) Count({kAllTopics, why, std::exchange(gone_, 0), now, now});
+    is_damaged_ = false;
+  } catch (const std::runtime_error&) {
+    database_.reset();
+    throw;
+  }
+}
+
+// Whatever finds the file damaged, the next Add begins a new one.
+template <class Use>
+auto Spool::Using(Use use) const {
+  if (!database_) throw std::runtime_error(path_ + ": cannot be opened");
+  try {
+    return use();
+  } catch (const SQLite::Exception& error) {
+    is_damaged_ |= error.getErrorCode() == kDamaged || error.getErrorCode() == kNoDatabase;
+    throw;
+  }
+}
+
+std::string Spool::name() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return name_;
+}
+
+bool Spool::has_replaced() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return has_replaced_;
 }
 
 void Spool::Prepare() {
@@ -122,6 +183,20 @@ std::shared_ptr<const MessageType> Spool::TypeOf(std::int64_t number) const {
 
 void Spool::Add(const std::vector<Document>& documents, const std::vector<Loss>& losses) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const std::int64_t now = !documents.empty() ? documents.back().received
+                           : !losses.empty()  ? losses.back().last
+                                              : 0;
+  if (!database_ || is_damaged_ || FileAt(path_) != file_) Renew(now);
+  try {
+    Using([&] { AddAll(documents, losses); });
+  } catch (const SQLite::Exception&) {
+    if (!is_damaged_) throw;
+    Renew(now);
+    AddAll(documents, losses);
+  }
+}
+
+void Spool::AddAll(const std::vector<Document>& documents, const std::vector<Loss>& losses) {
   SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement add(*database_,
                         "INSERT INTO documents (priority, received, stamp, topic, type, json) "
@@ -177,6 +252,10 @@ void Spool::Count(const Loss& loss) {
 
 Batch Spool::Next(const BatchLimits& limits) const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  return Using([&] { return FirstOf(limits); });
+}
+
+Batch Spool::FirstOf(const BatchLimits& limits) const {
   Batch batch;
   batch.spool = name_;
   SQLite::Statement next(*database_,
@@ -199,8 +278,13 @@ Batch Spool::Next(const BatchLimits& limits) const {
   return batch;
 }
 
+// Of a spool that has been renewed meanwhile nothing is here any more.
 void Spool::Remove(const Batch& batch) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (batch.spool == name_) Using([&] { RemoveAll(batch); });
+}
+
+void Spool::RemoveAll(const Batch& batch) {
   SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement remove(*database_, "DELETE FROM documents WHERE number = ?");
   for (const Document& document : batch.documents) {
@@ -217,6 +301,10 @@ void Spool::Remove(const Batch& batch) {
 
 void Spool::SetAside(const Batch& batch, const std::string& reason) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (batch.spool == name_) Using([&] { SetAllAside(batch, reason); });
+}
+
+void Spool::SetAllAside(const Batch& batch, const std::string& reason) {
   SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement keep(*database_,
                          "INSERT INTO refused SELECT number, received, stamp, topic, type, json, ? "
@@ -237,10 +325,13 @@ void Spool::SetAside(const Batch& batch, const std::string& reason) {
 Backlog Spool::Look() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto number = [this](const char* query) { return database_->execAndGet(query).getInt64(); };
-  return {documents_, UsedBytes(),
-          number("SELECT coalesce((SELECT received FROM documents ORDER BY number LIMIT 1), 0)"),
-          number("SELECT coalesce(sum(count), 0) FROM losses"),
-          number("SELECT count(*) FROM refused")};
+  return Using([&] {
+    return Backlog{
+        documents_, UsedBytes(),
+        number("SELECT coalesce((SELECT received FROM documents ORDER BY number LIMIT 1), 0)"),
+        number("SELECT coalesce(sum(count), 0) FROM losses"),
+        number("SELECT count(*) FROM refused")};
+  });
 }
 
 }  // namespace coppice::robot::storage

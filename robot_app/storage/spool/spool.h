@@ -15,12 +15,15 @@
 #ifndef COPPICE_ROBOT_APP_STORAGE_SPOOL_SPOOL_H_
 #define COPPICE_ROBOT_APP_STORAGE_SPOOL_SPOOL_H_
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt_core/base/outcome.h"
@@ -58,12 +61,14 @@ class Spool {
   ~Spool();
 
   /// A random name, made with the file: a new file begins to count anew, under another name.
-  const std::string& name() const { return name_; }
+  std::string name() const;
 
-  /// Whether another one was damaged, and lies beside it.
-  bool has_replaced() const { return has_replaced_; }
+  /// Whether another one was damaged, and lies beside it, or was deleted.
+  bool has_replaced() const;
 
-  /// In one transaction, with what was lost before it got here. Makes room first, if need be.
+  /// In one transaction, with what was lost before it got here. Makes room first, if need be. If
+  /// the file has been found damaged, or was deleted, a new one is begun, and what the old one held
+  /// is counted as lost.
   void Add(const std::vector<Document>& documents, const std::vector<Loss>& losses = {});
 
   Batch Next(const BatchLimits& limits) const;
@@ -75,9 +80,15 @@ class Spool {
   Backlog Look() const;
 
  private:
-  static Expected<std::unique_ptr<Spool>> OpenWhole(const std::string& path,
-                                                    const SpoolLimits& limits);
-  explicit Spool(std::unique_ptr<SQLite::Database> database, const SpoolLimits& limits);
+  Spool(std::string path, const SpoolLimits& limits);
+  Outcome OpenFile();
+  void Renew(std::int64_t now);
+  template <class Use>
+  auto Using(Use use) const;
+  void AddAll(const std::vector<Document>& documents, const std::vector<Loss>& losses);
+  Batch FirstOf(const BatchLimits& limits) const;
+  void RemoveAll(const Batch& batch);
+  void SetAllAside(const Batch& batch, const std::string& reason);
   void Prepare();
   std::uint64_t UsedBytes() const;
   std::int64_t MakeRoom(std::int64_t now);  // how many were given up
@@ -85,9 +96,13 @@ class Spool {
   std::int64_t NumberOf(const MessageType& type);
   std::shared_ptr<const MessageType> TypeOf(std::int64_t number) const;
 
+  const std::string path_;
   const SpoolLimits limits_;
   mutable std::mutex mutex_;
-  std::unique_ptr<SQLite::Database> database_;
+  std::unique_ptr<SQLite::Database> database_;  // null: it could not be renewed
+  std::pair<dev_t, ino_t> file_;                // that is open
+  mutable bool is_damaged_ = false;             // as somebody has found
+  std::int64_t gone_ = 0;                       // documents that are not yet counted as lost
   std::string name_;
   bool has_replaced_ = false;
   std::int64_t documents_ = 0;

@@ -161,6 +161,42 @@ TEST_F(SpoolTest, PutsADamagedSpoolAsideAndBeginsAnew) {
   EXPECT_FALSE(Open()->has_replaced());
 }
 
+TEST_F(SpoolTest, BeginsAnewWhenItIsDamagedWhileItIsInUse) {
+  const std::string path = folder_.Path("spool.db");
+  const auto spool = Open();
+  for (int i = 0; i < 40; ++i)
+    spool->Add({Make(std::string(200'000, 'x'))});  // more than it caches
+  const Batch old = spool->Next({10, 1});
+  for (const char* const part : {"", "-wal"}) {
+    const auto size = std::filesystem::file_size(path + part);
+    std::fstream file(path + part, std::ios::in | std::ios::out | std::ios::binary);
+    file << std::string(size, '\xa5');
+  }
+  EXPECT_THROW(spool->Next({40, 1 << 30}), std::runtime_error);
+  spool->Add({Make("1")});
+  EXPECT_TRUE(spool->has_replaced());
+  EXPECT_EQ(spool->Look().lost, 40);
+  EXPECT_EQ(spool->Next({}).losses.at(0).reason, "the spool was damaged");
+  EXPECT_TRUE(std::filesystem::exists(path + ".damaged"));
+  // Documents of the same numbers are others.
+  spool->Remove(old);
+  spool->SetAside(old, "refused");
+  EXPECT_THAT(Jsons(*spool), ElementsAre("1"));
+}
+
+TEST_F(SpoolTest, BeginsAnewWhenItsFileOrFolderIsDeleted) {
+  const std::string path = folder_.Path("deep/spool.db");
+  std::filesystem::create_directories(folder_.Path("deep"));
+  const auto spool = Spool::Open(path, {}).value();
+  spool->Add({Make("1"), Make("2")});
+  std::filesystem::remove_all(folder_.Path("deep"));
+  spool->Add({Make("3")});
+  EXPECT_TRUE(std::filesystem::exists(path));
+  EXPECT_EQ(spool->Look().lost, 2);
+  EXPECT_EQ(spool->Next({}).losses.at(0).reason, "the spool was deleted");
+  EXPECT_EQ(Jsons(*spool), std::vector<std::string>{"3"});
+}
+
 TEST_F(SpoolTest, LeavesFilesOfOthersAlone) {
   WriteFile(folder_.Path("spool.db"), "a text that is no database, and long enough to be seen");
   EXPECT_FALSE(Spool::Open(folder_.Path("spool.db"), {}));
