@@ -27,7 +27,7 @@ void OnHealth(const coppice_msgs::Health& message, RobotMetrics& metrics) {
     entries.push_back({entry.monitor, entry.subject, entry.node, leaves::LevelOfNumber(entry.level),
                        entry.message});
   }
-  metrics.SetHealth(std::move(entries));
+  metrics.SetHealth(entries);
 }
 
 void OnProcesses(const coppice_msgs::ProcessStates& message, RobotMetrics& metrics) {
@@ -56,7 +56,7 @@ void OnStore(const diagnostic_msgs::DiagnosticArray& message, RobotMetrics& metr
       figures[pair.key] = std::strtod(pair.value.c_str(), nullptr);
     }
   }
-  metrics.SetStore(std::move(figures));
+  metrics.SetStore(figures);
 }
 
 template <class Message>

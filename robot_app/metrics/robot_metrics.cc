@@ -1,6 +1,9 @@
 #include "robot_app/metrics/robot_metrics.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "bt_core/model/utf8.h"
 
 namespace coppice::robot::metrics {
 namespace {
@@ -21,11 +24,30 @@ constexpr StoreFigure kCounted[] = {
     {"sent", "coppice_store_sent_messages_total", "messages that the server has committed"},
     {"lost", "coppice_store_lost_messages_total", "messages that were given up"}};
 
+std::string Name(const std::string& text) { return PlainText(text, RobotMetrics::kLongestName); }
+
+// Null if there are too many others.
+template <class Value>
+Value* Among(std::map<std::pair<std::string, std::string>, Value>& all,
+             std::pair<std::string, std::string> key) {
+  const auto found = all.find(key);
+  if (found != all.end()) return &found->second;
+  if (all.size() >= RobotMetrics::kMostOfAKind) return nullptr;
+  return &all[std::move(key)];
+}
+
 }  // namespace
 
-void RobotMetrics::SetHealth(std::vector<leaves::HealthEntry> entries) {
+void RobotMetrics::SetHealth(const std::vector<leaves::HealthEntry>& entries) {
+  std::map<std::pair<std::string, std::string>, leaves::HealthLevel> worst;  // of several hosts
+  for (const leaves::HealthEntry& entry : entries) {
+    if (leaves::HealthLevel* const level =
+            Among(worst, {Name(entry.monitor), Name(entry.subject)})) {
+      *level = std::max(*level, entry.level);
+    }
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
-  health_ = std::move(entries);
+  worst_ = std::move(worst);
 }
 
 void RobotMetrics::SetBattery(const leaves::BatteryReading& battery) {
@@ -33,9 +55,12 @@ void RobotMetrics::SetBattery(const leaves::BatteryReading& battery) {
   battery_ = battery;
 }
 
-void RobotMetrics::SetProcesses(ProcessesFigures processes) {
+void RobotMetrics::SetProcesses(ProcessesFigures figures) {
+  if (figures.processes.size() > kMostOfAKind) figures.processes.resize(kMostOfAKind);
+  figures.configuration = Name(figures.configuration);
+  for (ProcessFigures& process : figures.processes) process.name = Name(process.name);
   const std::lock_guard<std::mutex> lock(mutex_);
-  processes_ = std::move(processes);
+  processes_ = std::move(figures);
 }
 
 void RobotMetrics::SetOpenRequests(std::size_t open) {
@@ -43,14 +68,20 @@ void RobotMetrics::SetOpenRequests(std::size_t open) {
   open_requests_ = open;
 }
 
-void RobotMetrics::SetStore(std::map<std::string, double> store) {
+void RobotMetrics::SetStore(const std::map<std::string, double>& store) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  store_ = std::move(store);
+  store_.clear();
+  const auto take = [&](const StoreFigure& figure) {
+    const auto found = store.find(figure.key);
+    if (found != store.end() && std::isfinite(found->second)) store_.insert(*found);
+  };
+  std::for_each(std::begin(kWaiting), std::end(kWaiting), take);
+  std::for_each(std::begin(kCounted), std::end(kCounted), take);
 }
 
 void RobotMetrics::CountRecovery(const std::string& recovery, const std::string& phase) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++recoveries_[{recovery, phase}];
+  if (std::uint64_t* const count = Among(recoveries_, {Name(recovery), phase})) ++*count;
 }
 
 void RobotMetrics::Collect(MetricTable& table) const {
@@ -70,12 +101,7 @@ void RobotMetrics::Collect(MetricTable& table) const {
 }
 
 void RobotMetrics::CollectHealth(MetricTable& table) const {
-  std::map<std::pair<std::string, std::string>, leaves::HealthLevel> worst;  // of several hosts
-  for (const leaves::HealthEntry& entry : health_) {
-    leaves::HealthLevel& level = worst[{entry.monitor, entry.subject}];
-    level = std::max(level, entry.level);
-  }
-  for (const auto& [key, level] : worst) {
+  for (const auto& [key, level] : worst_) {
     table.Gauge("coppice_health_level", "0 OK, 1 WARN, 2 ERROR, 3 STALE",
                 {{"monitor", key.first}, {"subject", key.second}}, static_cast<double>(level));
   }

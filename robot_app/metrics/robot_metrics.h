@@ -29,15 +29,20 @@ struct ProcessesFigures {
   std::vector<ProcessFigures> processes;
 };
 
-/// Any thread.
+/// Any thread. What others call something is told as PlainText, so that Prometheus can read all of
+/// the page whatever they say; and of each kind so many at most, so that it takes no more memory
+/// than it should.
 class RobotMetrics {
  public:
-  void SetHealth(std::vector<leaves::HealthEntry> entries);
+  static constexpr std::size_t kMostOfAKind = 1000;
+  static constexpr std::size_t kLongestName = 100;  // bytes
+
+  void SetHealth(const std::vector<leaves::HealthEntry>& entries);
   void SetBattery(const leaves::BatteryReading& battery);
   void SetProcesses(ProcessesFigures processes);
   void SetOpenRequests(std::size_t open);
   /// Figures of the store by their names on /store/status: "documents", "bytes", "lost", ...
-  void SetStore(std::map<std::string, double> store);
+  void SetStore(const std::map<std::string, double>& store);
   /// A recovery has come to that phase: "begun", "helped", ...
   void CountRecovery(const std::string& recovery, const std::string& phase);
 
@@ -50,7 +55,7 @@ class RobotMetrics {
   void CollectStore(MetricTable& table) const;
 
   mutable std::mutex mutex_;
-  std::vector<leaves::HealthEntry> health_;
+  std::map<std::pair<std::string, std::string>, leaves::HealthLevel> worst_;  // by monitor, subject
   std::optional<leaves::BatteryReading> battery_;
   std::optional<ProcessesFigures> processes_;
   std::optional<std::size_t> open_requests_;

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "bt_core/model/utf8.h"
+
 namespace coppice::robot::metrics {
 namespace {
 
@@ -61,6 +63,33 @@ TEST(RobotMetrics, TellsWhatWaitsInTheStoreAndWhoWaitsForAPerson) {
   EXPECT_THAT(text, HasSubstr("coppice_store_waiting_messages 12\n"));
   EXPECT_THAT(text, HasSubstr("coppice_store_lost_messages_total 3\n"));
   EXPECT_THAT(text, HasSubstr("coppice_open_requests 2\n"));
+}
+
+TEST(RobotMetrics, NamesOfStrangersLeaveThePageReadable) {
+  RobotMetrics metrics;
+  metrics.CountRecovery("a\xff\n\x1b[2J\xe2\x82", "begun");
+  metrics.SetHealth({{"\xfe", "load", "", leaves::HealthLevel::kError, ""}});
+  metrics.SetProcesses({"\x80up", false, {{"navi\xc0gation", 4, 7}}});
+  const std::string text = TextOf(metrics);
+  EXPECT_EQ(FindInvalidUtf8(text), text.size());
+  EXPECT_THAT(text, HasSubstr("recovery=\"a[2J\""));
+  EXPECT_THAT(text, HasSubstr("coppice_process_state{process=\"navigation\"} 4\n"));
+}
+
+TEST(RobotMetrics, NamesWithoutEndTakeNoMoreMemoryThanSome) {
+  RobotMetrics metrics;
+  std::vector<leaves::HealthEntry> entries;
+  std::map<std::string, double> figures{{"lost", 1}};
+  for (int i = 0; i < 5000; ++i) {
+    const std::string name = std::to_string(i) + std::string(10000, 'x');
+    metrics.CountRecovery(name, "begun");
+    entries.push_back({name, name, "", leaves::HealthLevel::kOk, ""});
+    figures[name] = i;
+  }
+  metrics.SetHealth(entries);
+  metrics.SetStore(figures);
+  metrics.SetProcesses({"c", false, std::vector<ProcessFigures>(5000, {"p", 1, 1})});
+  EXPECT_LT(TextOf(metrics).size(), 1U << 20);
 }
 
 }  // namespace
