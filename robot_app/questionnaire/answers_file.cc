@@ -1,6 +1,7 @@
 #include "robot_app/questionnaire/answers_file.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -122,16 +123,21 @@ Outcome AddAnswers(const std::string& path, const Questionnaire& questionnaire,
 
 Expected<Marks> MarksOf(const std::string& json, const Questionnaire& questionnaire) {
   Marks marks;
+  bool are_whole = true;  // 1.5, true and numbers beyond an int would become some mark
   try {
-    marks = ParseLimitedJson(json).at("marks").get<Marks>();
+    const nlohmann::json call = ParseLimitedJson(json);
+    for (const auto& mark : call.at("marks").get_ref<const nlohmann::json::array_t&>()) {
+      const auto value = mark.get<std::int64_t>();
+      are_whole =
+          are_whole && mark.is_number_integer() && value >= 0 && value <= questionnaire.points;
+      marks.push_back(are_whole ? static_cast<int>(value) : 0);
+    }
   } catch (const std::exception&) {
     return Problem{"expected {\"marks\": [...]}"};
   }
-  const bool fits = marks.size() == questionnaire.Columns().size() &&
-                    std::all_of(marks.begin(), marks.end(), [&](int mark) {
-                      return mark >= 0 && mark <= questionnaire.points;
-                    });
-  if (!fits) return Problem{"expected a mark for each item"};
+  if (!are_whole || marks.size() != questionnaire.Columns().size()) {
+    return Problem{"expected a mark for each item"};
+  }
   if (std::count(marks.begin(), marks.end(), 0) == static_cast<std::ptrdiff_t>(marks.size())) {
     return Problem{"no mark was made"};
   }

@@ -58,7 +58,9 @@ TEST_F(AnswersFile, OnlyWholeSetsOfMarksAreTakenFromThePage) {
   EXPECT_EQ(MarksOf(R"({"marks":[1,0,5]})", questions_).value(), (Marks{1, 0, 5}));
   for (const char* const json :
        {"", "{}", "[]", R"({"marks":[1,2]})", R"({"marks":[1,2,6]})", R"({"marks":[1,2,-1]})",
-        R"({"marks":[0,0,0]})", R"({"marks":["1",2,3]})", R"({"marks":[1,2,3,4]})"}) {
+        R"({"marks":[0,0,0]})", R"({"marks":["1",2,3]})", R"({"marks":[1,2,3,4]})",
+        R"({"marks":[1.5,2,3]})", R"({"marks":[true,2,3]})", R"({"marks":[4294967297,2,3]})",
+        R"({"marks":[18446744073709551615,2,3]})", R"({"marks":{"a":1,"b":2,"c":3}})"}) {
     EXPECT_FALSE(MarksOf(json, questions_)) << json;
   }
 }
