@@ -82,7 +82,7 @@ void Localizer::PutAt(const Pose2D& pose, bool proven) {
   doubted_ = false;
   contested_ = 0;
   rivals_ = 0;
-  elsewhere_.reset();
+  if (proven) elsewhere_.reset();
   view_.Clear();
 }
 
@@ -295,6 +295,9 @@ bool Localizer::TakeHint(const std::vector<Beam>& beams) {
       !FitsAsWellAsAnywhere(beams, matched)) {
     return false;
   }
+  // The same picture twice says nothing new, however often it comes.
+  const bool is_known = elsewhere_ && IsOfSamePlace(hint);
+  if (is_known && !IsOfOtherView(hint)) return false;
   const bool is_here = !filter_.empty() && IsSamePlace(matched, pose_);
   if (is_here && fits_) {
     proven_ = true;
@@ -302,11 +305,11 @@ bool Localizer::TakeHint(const std::vector<Beam>& beams) {
     contested_ = 0;
     rivals_ = 0;
     elsewhere_.reset();
-  } else if (is_here || !fits_ || !proven_ || IsSecondHint(hint)) {
+  } else if (is_here || is_known || (!elsewhere_ && (!fits_ || !proven_))) {
     filter_.Set(matched, 0.1, 0.05);
     PutAt(matched, true);
   } else {
-    Doubt();
+    if (proven_) Doubt();
     proven_ = false;
     elsewhere_ = hint;
     return false;
@@ -323,14 +326,15 @@ bool Localizer::FitsAsWellAsAnywhere(const std::vector<Beam>& beams, const Pose2
                                places.front().agreement.share();
 }
 
-// Of another view than the one before, and of the same place.
-bool Localizer::IsSecondHint(const Hint& hint) const {
-  if (!elsewhere_ || elsewhere_->frame != hint.frame) return false;
-  const bool is_other_view =
-      Distance(elsewhere_->odometry, hint.odometry) > kOtherView ||
-      std::abs(NormalizeAngle(elsewhere_->odometry.yaw - hint.odometry.yaw)) > kOtherView;
-  return is_other_view && IsSamePlace(Compose(elsewhere_->odom_in_map, odometry_),
-                                      Compose(hint.odom_in_map, odometry_));
+// Than the one before.
+bool Localizer::IsOfOtherView(const Hint& hint) const {
+  return Distance(elsewhere_->odometry, hint.odometry) > kOtherView ||
+         std::abs(NormalizeAngle(elsewhere_->odometry.yaw - hint.odometry.yaw)) > kOtherView;
+}
+
+bool Localizer::IsOfSamePlace(const Hint& hint) const {
+  return elsewhere_->frame == hint.frame && IsSamePlace(Compose(elsewhere_->odom_in_map, odometry_),
+                                                        Compose(hint.odom_in_map, odometry_));
 }
 
 void Localizer::LookAround(const std::vector<Beam>& beams) {
@@ -367,6 +371,7 @@ void Localizer::Consider(const std::vector<FittingPlace>& places) {
     proven_ = true;
     jumped_ = false;
     contested_ = 0;
+    elsewhere_.reset();
   } else {
     filter_.Inject(fitting, std::max(kFreshAtLeast, filter_.FreshShare()));
   }

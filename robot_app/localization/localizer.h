@@ -120,7 +120,8 @@ class Localizer {
   bool FitsBetterElsewhere(const std::vector<Beam>& beams, int through, double clearly) const;
   bool TakeHint(const std::vector<Beam>& beams);
   bool FitsAsWellAsAnywhere(const std::vector<Beam>& beams, const Pose2D& pose) const;
-  bool IsSecondHint(const Hint& hint) const;
+  bool IsOfOtherView(const Hint& hint) const;
+  bool IsOfSamePlace(const Hint& hint) const;
   void Consider(const std::vector<FittingPlace>& places);
   void PutAt(const Pose2D& pose, bool proven);
 

@@ -89,6 +89,16 @@ TEST_F(LocalizerHintTest, ASureRobotDoubtsAtTheFirstAndMovesAtTheSecondFromAnoth
   EXPECT_LT(robot->Error(), 0.1);
 }
 
+// It doubts, and looks for other places; but it is not sure to be where it is not.
+TEST_F(LocalizerHintTest, ASureRobotIsNotMovedByHintsOfTheSameViewHoweverMany) {
+  const auto robot = Started(kOffice101);
+  for (int i = 0; i < 30; ++i) {
+    Hint(*robot, kOffice104);
+    EXPECT_TRUE(robot->Error() < 0.1 || !robot->IsOk()) << i;
+  }
+  EXPECT_TRUE(std::isinf(robot->Report().seconds_since_recognized));
+}
+
 TEST_F(LocalizerHintTest, WhatWasSeenBeforeItWasCarriedIsNotUsed) {
   const auto robot = Started(kOffice101);
   const double before = robot->now() - 0.2;
