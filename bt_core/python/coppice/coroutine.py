@@ -20,6 +20,7 @@ import asyncio
 import concurrent.futures
 import os
 import threading
+import traceback
 from typing import Any, Callable, List, Optional, Tuple
 
 from ._native import NodeLink, Status, UnsetInput
@@ -84,6 +85,7 @@ class _Loop:
         self._lock = threading.Lock()
         self._loop: Optional[asyncio.AbstractEventLoop] = None
         self._thread: Optional[threading.Thread] = None
+        self._is_ending = False
 
     def use(self, loop: asyncio.AbstractEventLoop) -> None:
         with self._lock:
@@ -93,10 +95,19 @@ class _Loop:
         with self._lock:
             if self._loop is None:
                 self._loop = asyncio.new_event_loop()
-                self._thread = threading.Thread(target=self._loop.run_forever, daemon=True,
+                self._thread = threading.Thread(target=self._run, args=(self._loop,), daemon=True,
                                                 name="coppice-asyncio")
                 self._thread.start()
             return _Work(self._loop, coroutine, on_end)
+
+    def _run(self, loop: asyncio.AbstractEventLoop) -> None:
+        """What one leaf does to the loop, to stop it or to end the program in a callback, is no
+        reason for the coroutines of all others to wait for ever."""
+        while not self._is_ending:
+            try:
+                loop.run_forever()
+            except (SystemExit, KeyboardInterrupt):
+                traceback.print_exc()
 
     def forget(self) -> None:
         """In a copy of the process, which has not the thread."""
@@ -108,6 +119,7 @@ class _Loop:
                 return
             ended = asyncio.run_coroutine_threadsafe(_cancel_all(), self._loop)
             concurrent.futures.wait([ended], timeout=5)
+            self._is_ending = True
             self._loop.call_soon_threadsafe(self._loop.stop)
             self._thread.join(timeout=5)
 

@@ -1,5 +1,6 @@
 """Leaves in Python: what a class says of itself, and what the engine asks of it."""
 import asyncio
+import sys
 import threading
 from typing import Optional
 
@@ -305,6 +306,18 @@ def test_a_coroutine_that_ends_the_program_ends_its_tree_and_no_other_coroutine(
 
     with pytest.raises(SystemExit):
         LeafHarness(Ends).tick_until_done()
+    assert LeafHarness(Wait).tick_until_done() == SUCCESS
+
+
+def test_a_coroutine_that_stops_the_loop_keeps_no_other_one_waiting():
+    class Stops(AsyncAction):
+        async def run(self):
+            asyncio.get_running_loop().stop()
+            asyncio.get_running_loop().call_soon(sys.exit)
+            await asyncio.sleep(0)
+            return SUCCESS
+
+    assert LeafHarness(Stops).tick_until_done() == SUCCESS
     assert LeafHarness(Wait).tick_until_done() == SUCCESS
 
 
