@@ -123,7 +123,7 @@ std::optional<HeardAnswer> Dialogue::AnswerQuestion(const std::vector<Alternativ
   }
   if (question_->choices().size() < 2 || !last_) return std::nullopt;
   const std::vector<Meaning> meanings = LikelyMeanings(understander(), alternatives);
-  const bool is_yes = !meanings.empty() && meanings.front().share >= least_sure_ &&
+  const bool is_yes = !meanings.empty() && meanings.front().share >= kSureReply &&
                       meanings.front().understanding.request.intent == Intent::kYes;
   if (!is_yes) return std::nullopt;
   return HeardAnswer{*last_, meanings.front().text, meanings.front().share};  // but which of them?

@@ -52,7 +52,7 @@ std::optional<LikelyReply> OpenQuestion::AnsweredBy(const std::vector<Alternativ
   }
   for (LikelyReply& reply : replies) {
     reply.share /= sum;
-    if (reply.share >= kSureEnough) return std::move(reply);
+    if (reply.share >= kSureReply) return std::move(reply);
   }
   return std::nullopt;
 }

@@ -72,9 +72,10 @@ bool CanBeAsked(Intent intent) {
 std::vector<Request> WorthAsking(const std::vector<Meaning>& meanings, double least_sure) {
   std::vector<Request> asked;
   if (meanings.empty() || meanings.front().share >= least_sure) return asked;
-  if (meanings.front().understanding.verdict == Verdict::kUnknown) return asked;
+  const bool is_unknown = meanings.front().understanding.verdict == Verdict::kUnknown;
+  const double least = is_unknown ? kWorthAskingThough : kWorthAsking;
   for (const Meaning& meaning : meanings) {
-    if (meaning.share < kWorthAsking) break;
+    if (meaning.share < least) break;
     if (!CanBeAsked(meaning.understanding.request.intent)) continue;
     for (Request& request : RequestsOf(meaning.understanding)) {
       if (asked.size() < kMostAsked) asked.push_back(std::move(request));

@@ -30,9 +30,13 @@ struct Meaning {
 
 /// A share below which what is meant is asked back: most of what is wrong is below it, and hardly
 /// anything that is right (./dev bench speech).
-inline constexpr double kSureEnough = 0.65;
+inline constexpr double kSureEnough = 0.8;
+/// Likewise of what answers a question: little else is expected.
+inline constexpr double kSureReply = 0.65;
 /// A share below which nobody is asked about it.
 inline constexpr double kWorthAsking = 0.2;
+/// Likewise where it is likelier that nothing of it was understood.
+inline constexpr double kWorthAskingThough = 0.35;
 
 /// The likeliest first. All that is not understood counts as one meaning. None of no texts.
 std::vector<Meaning> LikelyMeanings(const Understander& understander,
@@ -45,7 +49,7 @@ bool CanBeAsked(Intent intent);
 std::vector<Request> RequestsOf(const Understanding& meant);
 
 /// The requests that are to be asked back, the likeliest first: one or two. None if the best
-/// meaning is sure enough, or if it is likelier that nothing of it was understood.
+/// meaning is sure enough, or if all are too unlikely.
 std::vector<Request> WorthAsking(const std::vector<Meaning>& meanings,
                                  double least_sure = kSureEnough);
 

@@ -38,7 +38,7 @@ class Decoder {
                                 const NgramCounts& site, const Expectation& expectation);
 
   /// The texts that may have been said, the likeliest first, with chances that add up to 1. At most
-  /// a hundred and one.
+  /// a hundred and one. No noise is to be in the sound.
   std::vector<knowledge::Alternative> Recognize(const Sound& sound);
 
   /// What people say to a question back. Without room for temporary files it stays what it was.

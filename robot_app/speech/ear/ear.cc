@@ -7,15 +7,15 @@ bool Ear::is_open(Time now) const {
   return listening_ == Listening::kAlways || is_pressed_;
 }
 
-std::optional<Sound> Ear::Hear(const std::vector<std::int16_t>& samples, Time now) {
+std::optional<Utterance> Ear::Hear(const std::vector<std::int16_t>& samples, Time now) {
   if (!is_open(now)) return std::nullopt;
   return activity_.Hear(samples);
 }
 
-std::optional<Sound> Ear::HearWhole(const Sound& sound) const {
+std::optional<Utterance> Ear::HearWhole(const Sound& sound) const {
   VoiceActivity activity(settings_.activity);
-  std::optional<Sound> utterance = activity.Hear(Resampled(sound, kHearingRate).samples);
-  return utterance ? std::move(utterance) : activity.Finish();
+  std::optional<Utterance> utterance = activity.Hear(Resampled(sound, kHearingRate).samples);
+  return utterance && utterance->has_ended ? std::move(utterance) : activity.Finish();
 }
 
 void Ear::set_speaks(bool speaks, Time now) {
@@ -27,7 +27,7 @@ void Ear::set_speaks(bool speaks, Time now) {
   speaks_ = speaks;
 }
 
-std::optional<Sound> Ear::set_pressed(bool pressed, Time now) {
+std::optional<Utterance> Ear::set_pressed(bool pressed, Time now) {
   const bool was_open = is_open(now);
   const bool is_released = is_pressed_ && !pressed;
   is_pressed_ = pressed;

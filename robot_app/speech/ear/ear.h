@@ -6,7 +6,7 @@
 //
 //   Ear ear({}, Listening::kAlways);
 //   ear.set_speaks(mouth.speaks(), now);
-//   if (auto utterance = ear.Hear(samples, now)) recognizer.Recognize(*utterance);
+//   if (auto utterance = ear.Hear(samples, now)) listener.Listen(*utterance, language, who);
 //
 // For one thread.
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_EAR_H_
@@ -32,16 +32,16 @@ class Ear {
   Ear(const EarSettings& settings, Listening listening)
       : settings_(settings), listening_(listening), activity_(settings.activity) {}
 
-  /// Samples at kHearingRate that have just come. An utterance, once it has ended.
-  std::optional<Sound> Hear(const std::vector<std::int16_t>& samples, Time now);
+  /// Samples at kHearingRate that have just come. An utterance, when it pauses and once it has ended.
+  std::optional<Utterance> Hear(const std::vector<std::int16_t>& samples, Time now);
 
   /// The utterance in a sound of any rate that somebody has recorded, if there is one.
-  std::optional<Sound> HearWhole(const Sound& sound) const;
+  std::optional<Utterance> HearWhole(const Sound& sound) const;
 
   /// Whether the mouth speaks; what was heard up to now is dropped.
   void set_speaks(bool speaks, Time now);
   /// Whether the button is held. When it is released, the utterance has ended.
-  std::optional<Sound> set_pressed(bool pressed, Time now);
+  std::optional<Utterance> set_pressed(bool pressed, Time now);
 
   bool is_open(Time now) const;
   bool hears() const { return activity_.hears(); }

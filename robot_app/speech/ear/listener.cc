@@ -27,12 +27,13 @@ Listener::~Listener() {
   thread_.join();
 }
 
-void Listener::Listen(Sound sound, Language language, std::string who,
+void Listener::Listen(Utterance utterance, Language language, std::string who,
                       std::vector<std::string> expected) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!tasks_.empty() && !tasks_.back().utterance.has_ended) tasks_.pop_back();
     if (tasks_.size() >= kMostTasks) tasks_.pop_front();
-    tasks_.push_back({std::move(sound), {{}, language, std::move(who)}, std::move(expected)});
+    tasks_.push_back({std::move(utterance), {{}, language, std::move(who)}, std::move(expected)});
   }
   changed_.notify_all();
 }
@@ -46,16 +47,37 @@ void Listener::Run() {
     Task task = std::move(tasks_.front());
     tasks_.pop_front();
     lock.unlock();
-    task.heard.alternatives = Recognize(task);
-    on_heard_(task.heard);
+    if (task.utterance.has_ended) {
+      task.heard.alternatives = Recognize(task);
+      on_heard_(task.heard);
+    } else {
+      Foresee(std::move(task));
+    }
     lock.lock();
   }
 }
 
+// Services are asked once for an utterance.
+void Listener::Foresee(Task task) {
+  foreseen_.reset();
+  if (MayAskService() || task.heard.language != Language::kEnglish) return;
+  task.heard.alternatives = RecognizeOffline(task);
+  foreseen_ = std::move(task);
+}
+
+bool Listener::IsForeseen(const Task& task) const {
+  return foreseen_ && foreseen_->utterance.sound.samples == task.utterance.sound.samples &&
+         foreseen_->expected == task.expected;
+}
+
+bool Listener::MayAskService() const {
+  return !settings_.service.url.empty() && pause_.may_be_asked();
+}
+
 std::vector<knowledge::Alternative> Listener::Recognize(const Task& task) {
   const Language language = task.heard.language;
-  if (!settings_.service.url.empty() && pause_.may_be_asked()) {
-    const auto text = Transcribe(settings_.service, task.sound, Code(language));
+  if (MayAskService()) {
+    const auto text = Transcribe(settings_.service, task.utterance.sound, Code(language));
     if (text) return {{*text, 1}};
     pause_.Failed();
     on_problem_("the ear of the service: " + text.problem());
@@ -68,11 +90,13 @@ std::vector<knowledge::Alternative> Listener::Recognize(const Task& task) {
 // Who was asked something may also ask something new.
 std::vector<knowledge::Alternative> Listener::RecognizeOffline(const Task& task) {
   if (!Prepare()) return {};
+  if (IsForeseen(task)) return foreseen_->heard.alternatives;
+  const Sound& sound = task.utterance.sound;
   if (!task.expected.empty()) {
-    auto replies = recognizer_->RecognizeReply(task.sound, task.expected);
+    auto replies = recognizer_->RecognizeReply(sound, task.expected);
     if (!replies.empty()) return replies;
   }
-  return recognizer_->Recognize(task.sound);
+  return recognizer_->Recognize(sound);
 }
 
 bool Listener::Prepare() {
@@ -91,6 +115,7 @@ Outcome Listener::Refresh() {
   const std::int64_t version = database_->version();
   if (recognizer_ && version == version_) return {};
   recognizer_.reset();
+  foreseen_.reset();
   names_ = knowledge::Names(*database_);
   auto made = Recognizer::Make(settings_.model, {*intents_, *words_, names_, Language::kEnglish});
   if (!made) return Problem{made.problem()};

@@ -1,6 +1,7 @@
 // Utterances to text, on a thread of its own: by a service where there is one that answers, else by
 // pocketsphinx with a grammar of what the robot knows now. The grammar is made at the start or when
-// the first utterance comes, and anew after an import of the knowledge.
+// the first utterance comes, and anew after an import of the knowledge. While somebody pauses,
+// what he has said until then is recognized already: if he is done, the text is there at once.
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 #define COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 
@@ -16,6 +17,7 @@
 
 #include "robot_app/knowledge/store/database.h"
 #include "robot_app/speech/ear/recognizer.h"
+#include "robot_app/speech/ear/voice_activity.h"
 #include "robot_app/speech/endpoint/service_pause.h"
 
 namespace coppice::robot::speech {
@@ -48,12 +50,13 @@ class Listener {
 
   /// Any thread; returns at once. More than three that wait are too many: the oldest is dropped.
   /// `expected`: the names of which one is expected, or yes or no, as the robot has asked back.
-  void Listen(Sound sound, knowledge::Language language, std::string who,
+  /// Of an utterance that only pauses nobody is told.
+  void Listen(Utterance utterance, knowledge::Language language, std::string who,
               std::vector<std::string> expected = {});
 
  private:
   struct Task {
-    Sound sound;
+    Utterance utterance;
     HeardUtterance heard;
     std::vector<std::string> expected;
   };
@@ -61,6 +64,9 @@ class Listener {
   void Run();
   std::vector<knowledge::Alternative> Recognize(const Task& task);
   std::vector<knowledge::Alternative> RecognizeOffline(const Task& task);
+  void Foresee(Task task);
+  bool IsForeseen(const Task& task) const;
+  bool MayAskService() const;
   bool Prepare();
   Outcome Refresh();
   Outcome LoadLanguage();
@@ -75,6 +81,7 @@ class Listener {
   std::optional<knowledge::LanguageWords> words_;  // English
   std::vector<knowledge::Name> names_;
   std::unique_ptr<Recognizer> recognizer_;
+  std::optional<Task> foreseen_;  // recognized while he paused
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -1,18 +1,22 @@
 #include "robot_app/speech/ear/recognizer.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <thread>
 
 #include "robot_app/knowledge/understanding/utterance.h"
 #include "robot_app/speech/ear/common_words.h"
+#include "robot_app/speech/ear/noise_reduction.h"
 
 namespace coppice::robot::speech {
 namespace {
 
+constexpr int kLoudEnough = 30;       // of 32767; less is silence
 constexpr double kLeastReply = 0.6;   // else it was no reply
 constexpr double kUnasked = 0.2;      // of the weight of replies, while nothing is asked
 constexpr double kCommonShare = 0.6;  // of what may come anywhere; the rest are fillers
+constexpr double kLeastChance = 1e-3;  // of a text that is worth being understood
 
 // One knows little but what people ask here, the other what they say anywhere, too: what only one
 // of them has understood is less sure.
@@ -46,10 +50,21 @@ std::vector<knowledge::Alternative> Together(const std::vector<knowledge::Altern
     for (const auto& [text, chance] : *heard) chances[text] += chance / 2;
   }
   std::vector<knowledge::Alternative> alternatives;
-  for (const auto& [text, chance] : chances) alternatives.push_back({text, chance});
+  for (const auto& [text, chance] : chances) {
+    if (chance >= kLeastChance) alternatives.push_back({text, chance});
+  }
   std::stable_sort(alternatives.begin(), alternatives.end(),
                    [](const auto& a, const auto& b) { return a.chance > b.chance; });
   return alternatives;
+}
+
+// Empty if nobody speaks in it.
+Sound Clear(const Sound& sound) {
+  Sound clear = WithoutNoise(Resampled(sound, kHearingRate));
+  const bool is_loud = std::any_of(clear.samples.begin(), clear.samples.end(),
+                                   [](int sample) { return std::abs(sample) > kLoudEnough; });
+  if (!is_loud) clear.samples.clear();
+  return clear;
 }
 
 }  // namespace
@@ -90,9 +105,10 @@ void Recognizer::SetReplies(const NgramCounts& common, const SpokenLanguage& spo
 }
 
 std::vector<knowledge::Alternative> Recognizer::Recognize(const Sound& sound) {
+  const Sound clear = Clear(sound);
   std::vector<knowledge::Alternative> other;
-  std::thread thread([&] { other = decoders_[1].Recognize(sound); });
-  const std::vector<knowledge::Alternative> one = decoders_[0].Recognize(sound);
+  std::thread thread([&] { other = decoders_[1].Recognize(clear); });
+  const std::vector<knowledge::Alternative> one = decoders_[0].Recognize(clear);
   thread.join();
   return Together(one, other);
 }
@@ -114,7 +130,7 @@ void Recognizer::ExpectReply(const std::vector<std::string>& names) {
 std::vector<knowledge::Alternative> Recognizer::RecognizeReply(
     const Sound& sound, const std::vector<std::string>& names) {
   ExpectReply(names);
-  std::vector<knowledge::Alternative> alternatives = decoders_[0].RecognizeReply(sound);
+  std::vector<knowledge::Alternative> alternatives = decoders_[0].RecognizeReply(Clear(sound));
   double replies = 0;
   for (const knowledge::Alternative& alternative : alternatives) {
     const auto words = knowledge::SplitWords(alternative.text);

@@ -118,7 +118,7 @@ void SpeechNode::OnSamples(const std::vector<std::int16_t>& samples) {
   if (auto utterance = ear_.Hear(samples, clock_->Now())) Listen(*std::move(utterance), "");
 }
 
-void SpeechNode::Listen(Sound utterance, const std::string& who) {
+void SpeechNode::Listen(Utterance utterance, const std::string& who) {
   listener_->Listen(std::move(utterance), parts_.conversation->language(), who,
                     parts_.conversation->ExpectedNames(WallNow()));
 }

@@ -39,7 +39,7 @@ class SpeechNode {
   void Serve();
 
   void OnSamples(const std::vector<std::int16_t>& samples);
-  void Listen(Sound utterance, const std::string& who);
+  void Listen(Utterance utterance, const std::string& who);
   void OnHeard(const HeardUtterance& utterance);
   coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard,
                               const std::vector<knowledge::Alternative>& alternatives, bool aloud);

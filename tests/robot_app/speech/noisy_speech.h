@@ -34,11 +34,11 @@ inline double PowerOf(const std::vector<double>& samples) {
   return sum / static_cast<double>(samples.size());
 }
 
-/// The sound at half its loudness, with 0.3 s before and behind it, in noise whose power lies `snr`
-/// below that of the speech [dB].
-inline Sound InNoise(const Sound& speech, double snr, unsigned seed) {
+/// The sound at half its loudness, with some seconds before and behind it, in noise whose power lies
+/// `snr` below that of the speech [dB].
+inline Sound InNoise(const Sound& speech, double snr, unsigned seed, double seconds = 0.3) {
   const std::vector<double> said(speech.samples.begin(), speech.samples.end());
-  const auto around = static_cast<std::size_t>(speech.rate * 3 / 10);
+  const auto around = static_cast<std::size_t>(speech.rate * seconds);
   const std::vector<double> noise = PinkNoise(said.size() + 2 * around, seed);
   const double gain = std::sqrt(PowerOf(said) / PowerOf(noise) / std::pow(10, snr / 10));
   Sound sound{speech.rate, std::vector<std::int16_t>(noise.size())};

@@ -101,7 +101,7 @@ TEST_F(DialogueTest, ASingleCandidateIsAgreedToOrNot) {
 
 TEST_F(DialogueTest, WhatWasHardlyHeardIsNeitherActedOnNorNoted) {
   const HeardAnswer refused =
-      HearOneOf({{"the moon was blue", 5}, {"take me to the library", 4}, {"goodbye", 1}});
+      HearOneOf({{"the moon was blue", 6}, {"take me to the library", 3}, {"goodbye", 1}});
   EXPECT_EQ(refused.answer.text, "I am sorry, I did not understand that. Please say it again.");
   EXPECT_EQ(refused.answer.mood, AnswerMood::kUnknown);
   EXPECT_EQ(refused.text, "");

@@ -46,7 +46,7 @@ class EarTest : public testing::Test {
       if (auto heard = ear.Hear(
               {samples.begin() + static_cast<long>(at), samples.begin() + static_cast<long>(end)},
               now_)) {
-        utterances.push_back(*std::move(heard));
+        (heard->has_ended ? utterances : pauses_).push_back(std::move(heard->sound));
       }
       now_ += std::chrono::milliseconds(20);
     }
@@ -54,6 +54,7 @@ class EarTest : public testing::Test {
   }
 
   Time now_{};
+  std::vector<Sound> pauses_;  // what had been said until then
 };
 
 TEST_F(EarTest, HearsAnUtteranceAsLongAsItIs) {
@@ -62,6 +63,18 @@ TEST_F(EarTest, HearsAnUtteranceAsLongAsItIs) {
   const auto heard = Hear(ear, Noise(1, kQuiet) + spoken + Noise(1, kQuiet));
   ASSERT_EQ(heard.size(), 1U);
   EXPECT_NEAR(heard[0].seconds(), static_cast<double>(spoken.size()) / kHearingRate + 0.5, 0.5);
+}
+
+TEST_F(EarTest, WhatWasSaidUntilAPauseIsKnownBeforeItIsTheEnd) {
+  Ear ear({}, Listening::kAlways);
+  const Samples spoken = Spoken("library", kQuiet);
+  Hear(ear, Noise(1, kQuiet) + spoken + Noise(0.4, kQuiet));
+  ASSERT_EQ(pauses_.size(), 1U);
+  const auto heard = Hear(ear, spoken + Noise(1, kQuiet));
+  ASSERT_EQ(pauses_.size(), 2U);
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_GT(pauses_[1].samples.size(), pauses_[0].samples.size() + spoken.size() / 2);
+  EXPECT_EQ(heard[0].samples, pauses_[1].samples);
 }
 
 TEST_F(EarTest, TwoUtterancesAreTwo) {
@@ -116,7 +129,7 @@ TEST_F(EarTest, WithPushToTalkItHearsOnlyWhileTheButtonIsHeld) {
   Hear(ear, Noise(0.2, kQuiet) + Spoken("where is the library", kQuiet));
   const auto heard = ear.set_pressed(false, now_);
   ASSERT_TRUE(heard);
-  EXPECT_GT(heard->seconds(), 0.8);
+  EXPECT_GT(heard->sound.seconds(), 0.8);
   EXPECT_FALSE(ear.is_open(now_));
 }
 

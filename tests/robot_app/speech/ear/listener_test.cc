@@ -36,7 +36,7 @@ class ListenerTest : public testing::Test {
     Listener listener(
         settings, [&](const HeardUtterance& utterance) { heard.set_value(utterance); },
         [this](const std::string& problem) { problem_ = problem; });
-    listener.Listen(said_, language, "visitor");
+    listener.Listen({said_}, language, "visitor");
     auto answer = heard.get_future();
     if (answer.wait_for(std::chrono::seconds(60)) != std::future_status::ready) return {};
     return answer.get();
@@ -52,6 +52,26 @@ TEST_F(ListenerTest, HearsOfflineWithoutAService) {
   EXPECT_EQ(TextOf(heard), "where is the reading room");
   EXPECT_EQ(heard.who, "visitor");
   EXPECT_EQ(problem_, "");
+}
+
+TEST_F(ListenerTest, OfAPauseNobodyIsToldAndItIsNotTakenForWhatFollows) {
+  const Sound other = Synthesizer().Speak("where is the copy shop", {"en-us+f2", 140})->sound;
+  std::vector<std::string> texts;
+  std::promise<void> all;
+  Listener listener(
+      Settings(),
+      [&](const HeardUtterance& heard) {
+        texts.push_back(TextOf(heard));
+        if (heard.who == "last") all.set_value();
+      },
+      [](const std::string&) {});
+  listener.Listen({said_, false}, Language::kEnglish, "visitor");
+  listener.Listen({said_}, Language::kEnglish, "visitor");
+  listener.Listen({said_, false}, Language::kEnglish, "visitor");
+  listener.Listen({other}, Language::kEnglish, "last");
+  ASSERT_EQ(all.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"where is the reading room", "where is the copy shop"}));
 }
 
 TEST_F(ListenerTest, HearsWithTheServiceWhereItAnswers) {
