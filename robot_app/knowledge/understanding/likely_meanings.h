@@ -30,7 +30,7 @@ struct Meaning {
 
 /// A share below which what is meant is asked back: most of what is wrong is below it, and hardly
 /// anything that is right (./dev bench speech).
-inline constexpr double kSureEnough = 0.8;
+inline constexpr double kSureEnough = 0.85;
 /// Likewise of what answers a question: little else is expected.
 inline constexpr double kSureReply = 0.65;
 /// A share below which nobody is asked about it.
