@@ -28,8 +28,14 @@ bool VisitorArrived::IsBefore(const SeenPerson& person) const {
          std::abs(person.angle()) <= *angle && person.known_for >= *lasting;
 }
 
-// Who touches the display is the one before it, and is greeted once.
 bool VisitorArrived::Check() {
+  if (!HasArrived()) return false;
+  language.Set(visitor.has_value() ? visitor->language : Visitor().language);
+  return true;
+}
+
+// Who touches the display is the one before it, and is greeted once.
+bool VisitorArrived::HasArrived() {
   const int touches = visitor.has_value() ? visitor->touches : 0;
   const bool touched = touches != touches_;
   touches_ = touches;

@@ -28,9 +28,11 @@ class VisitorArrived : public Condition {
   Input<double> distance{this, "distance", "at most [m]", 1.5};
   Input<double> angle{this, "angle", "to either side of straight ahead, at most [rad]", 0.5};
   Input<double> lasting{this, "lasting", "known for at least [s]", 1.0};
+  Output<std::string> language{this, "language", "that is spoken with visitors now"};
   bool Check() override;
 
  private:
+  bool HasArrived();
   void ForgetWhoHasGone(const PeopleView& view);
   bool IsBefore(const SeenPerson& person) const;
 

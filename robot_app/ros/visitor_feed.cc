@@ -16,6 +16,7 @@ VisitorFeed::VisitorFeed(ros::NodeHandle& node, const Clock& clock)
       outcome_(node.advertise<std_msgs::String>("/visitors/outcome", 10)),
       subscribers_{node.subscribe("/speech/heard", 10, &VisitorFeed::OnHeard, this),
                    node.subscribe("/speech/answer", 10, &VisitorFeed::OnAnswer, this),
+                   node.subscribe("/speech/state", 10, &VisitorFeed::OnState, this),
                    node.subscribe("/tablet/touched", 10, &VisitorFeed::OnTouched, this)} {}
 
 void VisitorFeed::Connect(std::vector<Sender<leaves::Visitor>> trees) {
@@ -44,7 +45,7 @@ void VisitorFeed::OnHeard(const coppice_msgs::Heard& heard) {
 // Who wants to be led has nothing more to say: the talk is over.
 void VisitorFeed::OnAnswer(const coppice_msgs::Answer& answer) {
   const std::lock_guard lock(mutex_);
-  visitor_.language = answer.language;
+  if (!answer.language.empty()) visitor_.language = answer.language;
   if (answer.intent == kCancel && visitor_.request != 0) {
     visitor_.request = 0;
     PublishOutcome("taken back");
@@ -56,6 +57,13 @@ void VisitorFeed::OnAnswer(const coppice_msgs::Answer& answer) {
     visitor_.asked = clock_.Now();
     visitor_.place = answer.place;
   }
+  Send();
+}
+
+void VisitorFeed::OnState(const coppice_msgs::SpeechState& state) {
+  const std::lock_guard lock(mutex_);
+  if (state.language.empty() || state.language == visitor_.language) return;
+  visitor_.language = state.language;
   Send();
 }
 

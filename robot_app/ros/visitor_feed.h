@@ -1,5 +1,5 @@
 // Brings what visitors want to the trees: what was heard and answered (/speech/heard,
-// /speech/answer) and that somebody uses the tablet (/tablet/touched). A wish to be guided lasts
+// /speech/answer), in which language is spoken with them (/speech/state) and that somebody uses the tablet (/tablet/touched). A wish to be guided lasts
 // until a tree has settled it, the visitor takes it back, or wants something else; how it ended is
 // told on /visitors/outcome.
 #ifndef COPPICE_ROBOT_APP_ROS_VISITOR_FEED_H_
@@ -7,6 +7,7 @@
 
 #include <coppice_msgs/Answer.h>
 #include <coppice_msgs/Heard.h>
+#include <coppice_msgs/SpeechState.h>
 #include <ros/node_handle.h>
 #include <std_msgs/Empty.h>
 
@@ -33,6 +34,7 @@ class VisitorFeed : public leaves::Visitors {
  private:
   void OnHeard(const coppice_msgs::Heard& heard);
   void OnAnswer(const coppice_msgs::Answer& answer);
+  void OnState(const coppice_msgs::SpeechState& state);
   void OnTouched(const std_msgs::Empty&);
   void Send() const;
   void PublishOutcome(const std::string& outcome) const;

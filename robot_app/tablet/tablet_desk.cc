@@ -61,6 +61,7 @@ const TabletDesk::Deed TabletDesk::kDeeds[] = {
 TabletDesk::TabletDesk(std::unique_ptr<knowledge::Dialogue> dialogue, TopologicalMap map,
                        TabletLinks& links, std::function<WallTime()> clock)
     : dialogue_(std::move(dialogue)),
+      home_language_(LanguageCode()),
       guide_(std::move(map)),
       links_(links),
       clock_(std::move(clock)) {
@@ -186,7 +187,10 @@ nlohmann::json TabletDesk::Map(const Json&) {
 }
 
 nlohmann::json TabletDesk::State(const Json& call) {
-  Json state{{"outcome", view_.outcome}, {"face_number", view_.face_number}, {"pose", nullptr}};
+  Json state{{"outcome", view_.outcome},
+             {"face_number", view_.face_number},
+             {"pose", nullptr},
+             {"language", home_language_}};
   if (view_.pose) state["pose"] = {view_.pose->x, view_.pose->y, view_.pose->yaw};
   if (call.value("face", -1) != view_.face_number) state["face"] = HexOf(view_.face);
   state["said_number"] = view_.said_number;

@@ -62,7 +62,7 @@ struct TabletView {
 
 class TabletDesk {
  public:
-  /// `links` must outlive this. `clock`: of the site, for departures and menus.
+  /// The language of the dialogue is that of a page that nobody uses. `links` must outlive this. `clock`: of the site, for departures and menus.
   TabletDesk(std::unique_ptr<knowledge::Dialogue> dialogue, TopologicalMap map, TabletLinks& links,
              std::function<WallTime()> clock);
 
@@ -104,6 +104,7 @@ class TabletDesk {
 
   std::mutex mutex_;  // for all
   std::unique_ptr<knowledge::Dialogue> dialogue_;
+  const std::string home_language_;
   RouteGuide guide_;
   TabletLinks& links_;
   const std::function<WallTime()> clock_;

@@ -48,6 +48,7 @@ const Command& TabletCommand() {
       {CommandOption::Text("--knowledge", "DB", "what coppice-knowledge has imported").Needed(),
        CommandOption::Text("--site", "FOLDER", "a folder, or sample: fills DB if it is empty"),
        CommandOption::Text("--places", "FILE", "the places and the ways between them").Needed(),
+       CommandOption::Text("--language", "CODE", "en or de, while nobody has chosen one; else en"),
        CommandOption::Text("--address", "ADDRESS", "to listen on; else 127.0.0.1"),
        CommandOption::Whole("--port", "N", 0, 65535, "of the page, 0 = a free one; else 8091"),
        CommandOption::Text("--name", "NAME",
@@ -201,6 +202,9 @@ std::unique_ptr<TabletDesk> OpenDesk(const Options& options, TabletLinks& links)
   auto map = TopologicalMap::Load(options.Get("--places"), diagnostics);
   std::cerr << diagnostics.ToString();
   if (!dialogue || !map) throw std::runtime_error("without them the tablet knows nothing");
+  const auto language = knowledge::LanguageOf(options.Get("--language", "en"));
+  if (!language) throw std::runtime_error("--language must be en or de");
+  dialogue->set_language(*language);
   return std::make_unique<TabletDesk>(std::move(dialogue), *std::move(map), links,
                                       [] { return std::chrono::system_clock::now(); });
 }

@@ -40,9 +40,20 @@ Expected<std::unique_ptr<Conversation>> Conversation::Open(const std::string& da
   return std::unique_ptr<Conversation>(new Conversation(std::move(dialogue)));
 }
 
+knowledge::Language Conversation::language(WallTime now) const {
+  return now - last_ > kSilence ? home_language_ : dialogue_->language();
+}
+
+void Conversation::set_language(knowledge::Language language, WallTime now) {
+  if (now - last_ > kSilence) dialogue_->Forget();
+  last_ = now;
+  dialogue_->set_language(language);
+}
+
 coppice_msgs::Answer Conversation::Answer(const coppice_msgs::Heard& heard,
                                           const std::vector<knowledge::Alternative>& alternatives,
                                           WallTime now) {
+  dialogue_->set_language(language(now));
   if (heard.who != who_ || now - last_ > kSilence) dialogue_->Forget();
   who_ = heard.who;
   last_ = now;

@@ -29,6 +29,11 @@ class Conversation {
                               const std::vector<knowledge::Alternative>& alternatives,
                               WallTime now);
 
+  /// That is spoken with who has said nothing yet.
+  void set_home_language(knowledge::Language language) { home_language_ = language; }
+  /// That somebody speaks, by whatever else he has told so.
+  void set_language(knowledge::Language language, WallTime now);
+
   /// What may be answered to the question that the robot has asked back; nothing if it has not.
   std::vector<std::string> ExpectedNames(WallTime now) { return dialogue_->ExpectedNames(now); }
   /// Whoever else has answered.
@@ -38,14 +43,15 @@ class Conversation {
   /// Without it as the crow flies from the robot's home.
   void set_way(knowledge::WayFromHere way) { dialogue_->set_way(std::move(way)); }
 
-  /// The one that is spoken now.
-  knowledge::Language language() const { return dialogue_->language(); }
+  /// The one that is spoken now: of the last one who spoke, for a minute, then that of the place.
+  knowledge::Language language(WallTime now) const;
 
  private:
   explicit Conversation(std::unique_ptr<knowledge::Dialogue> dialogue)
       : dialogue_(std::move(dialogue)) {}
 
   std::unique_ptr<knowledge::Dialogue> dialogue_;
+  knowledge::Language home_language_ = knowledge::Language::kEnglish;
   std::string who_;
   WallTime last_{};
 };

@@ -41,6 +41,9 @@ Expected<std::unique_ptr<SpeechNode>> SpeechNode::Make(SpeechSettings settings) 
     if (!opened) return Problem{opened.problem()};
     parts.conversation = *std::move(opened);
   }
+  if (!knowledge::LanguageOf(settings.language)) {
+    return Problem{"~language must be en or de, not \"" + settings.language + "\""};
+  }
   if (!settings.places.empty()) {
     Diagnostics diagnostics;
     auto map = TopologicalMap::Load(settings.places, diagnostics);
@@ -77,6 +80,7 @@ SpeechNode::SpeechNode(SpeechSettings settings, std::unique_ptr<RosClock> clock,
 
 void SpeechNode::Serve() {
   if (!parts_.conversation) return;
+  parts_.conversation->set_home_language(*knowledge::LanguageOf(settings_.language));
   if (parts_.guide) parts_.conversation->set_way([this] { return WayFromHere(); });
   parts_.conversation->set_least_sure(settings_.least_confidence);
   others_ = node_.subscribe("/speech/answer", 10, &SpeechNode::OnAnswer, this);
@@ -98,7 +102,7 @@ void SpeechNode::Serve() {
 }
 
 std::string SpeechNode::SpokenNow() const {
-  return parts_.conversation ? Code(parts_.conversation->language()) : "en";
+  return parts_.conversation ? Code(parts_.conversation->language(WallNow())) : settings_.language;
 }
 
 // Few ask for what is near, and transforms come often: it listens to them only then.
@@ -119,7 +123,7 @@ void SpeechNode::OnSamples(const std::vector<std::int16_t>& samples) {
 }
 
 void SpeechNode::Listen(Utterance utterance, const std::string& who) {
-  listener_->Listen(std::move(utterance), parts_.conversation->language(), who,
+  listener_->Listen(std::move(utterance), parts_.conversation->language(WallNow()), who,
                     parts_.conversation->ExpectedNames(WallNow()));
 }
 
@@ -143,9 +147,14 @@ coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard,
   return answer;
 }
 
-// What the tablet answers ends what was asked aloud.
+// What the tablet answers ends what was asked aloud, and tells which language its visitor speaks.
 void SpeechNode::OnAnswer(const ros::MessageEvent<coppice_msgs::Answer const>& event) {
-  if (event.getPublisherName() != ros::this_node::getName()) parts_.conversation->CloseQuestion();
+  if (event.getPublisherName() == ros::this_node::getName()) return;
+  parts_.conversation->CloseQuestion();
+  const auto language = knowledge::LanguageOf(event.getMessage()->language);
+  if (!language) return;
+  parts_.conversation->set_language(*language, WallNow());
+  PublishState();
 }
 
 bool SpeechNode::OnAsk(coppice_msgs::Ask::Request& request, coppice_msgs::Ask::Response& response) {
@@ -216,6 +225,7 @@ void SpeechNode::PublishState() {
   state.speaking = was_speaking_ ? 1 : 0;
   state.listening = was_open_ ? 1 : 0;
   state.hearing = was_hearing_ ? 1 : 0;
+  state.language = SpokenNow();
   state.level = static_cast<float>(ear_.level());
   state_.publish(state);
 }

@@ -27,6 +27,7 @@ Parameters ParametersOf(SpeechSettings& settings) {
   return {{"knowledge", &settings.knowledge, "database of what it knows; none: only speaks"},
           {"site", &settings.site, "a folder, or sample: fills it if it is empty"},
           {"places", &settings.places, "of the ways to what is nearest; none: beelines"},
+          {"language", &settings.language, "en or de: it speaks so with who has said nothing yet"},
           {"output", &settings.output, "alsa:DEVICE, folder:PATH (WAV files), or none"},
           {"microphone", &settings.microphone, "alsa:DEVICE or none"},
           {"push_to_talk", &settings.push_to_talk, "hears only while /speech/listen says so"},

@@ -18,6 +18,7 @@ struct SpeechSettings {
   std::string knowledge;  ///< the database; empty: the robot speaks and answers nothing
   std::string site;
   std::string places;
+  std::string language = "en";  ///< that it speaks with who has said nothing yet
   std::string output = "none";
   std::string microphone = "none";
   bool push_to_talk = false;

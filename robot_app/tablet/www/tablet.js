@@ -20,7 +20,7 @@ const kWords = {
 
 const element = id => document.getElementById(id);
 const plan = makeFloor(element("floor"));
-let language = "en";
+let homeLanguage = "en", language = homeLanguage;
 let path = [];
 let place = "";          // to which the visitor can be led
 let isAsked = false;     // the buttons are those of a question
@@ -112,7 +112,7 @@ function start() {
 
 function leave() {
   isUsed = false;
-  language = "en";
+  language = homeLanguage;
   endTalk();
   call("leave");
   start();
@@ -159,6 +159,10 @@ function endTalk() {
 async function look() {
   const state = await call("state", {face: faceNumber, said: saidNumber});
   if (!state.error) {
+    if (state.language !== homeLanguage) {
+      homeLanguage = state.language;
+      if (!isUsed) setLanguage(homeLanguage);
+    }
     if (state.face) drawFace(element("face"), state.face);
     faceNumber = state.face_number;
     plan.setPose(state.pose);

@@ -47,6 +47,17 @@ TEST_F(VisitorArrivedTest, OnceForEachWhoStandsBeforeTheRobot) {
   EXPECT_TRUE(Arrives());
 }
 
+TEST_F(VisitorArrivedTest, TellsTheLanguageThatIsSpokenNow) {
+  Before(1);
+  EXPECT_TRUE(Arrives());
+  EXPECT_EQ(leaf_.Get<std::string>("language"), "en");
+  visitor_.language = "de";
+  Touch();
+  Before(2);
+  EXPECT_TRUE(Arrives());
+  EXPECT_EQ(leaf_.Get<std::string>("language"), "de");
+}
+
 TEST_F(VisitorArrivedTest, NotWhoHasJustComeBy) {
   Before(1, 0.9);
   EXPECT_FALSE(Arrives());

@@ -63,6 +63,7 @@ class VisitorFeedTest : public testing::Test {
   ros::NodeHandle node_;
   ros::Publisher heard_ = node_.advertise<coppice_msgs::Heard>("/speech/heard", 1);
   ros::Publisher answers_ = node_.advertise<coppice_msgs::Answer>("/speech/answer", 1);
+  ros::Publisher state_ = node_.advertise<coppice_msgs::SpeechState>("/speech/state", 1);
   ros::Publisher touches_ = node_.advertise<std_msgs::Empty>("/tablet/touched", 1);
   SimulatedClock clock_{std::chrono::seconds(100)};
   std::shared_ptr<const Program> program_;
@@ -74,6 +75,12 @@ TEST_F(VisitorFeedTest, TellsThatSomebodySpeaksButNotThatThereIsNoise) {
   coppice_msgs::Heard heard;
   heard.text = "hello";
   EXPECT_TRUE(Leads(heard_, heard, [&](const Visitor& v) { return v.heard == clock_.Now(); }));
+}
+
+TEST_F(VisitorFeedTest, TellsWhichLanguageIsSpokenBeforeAnybodyHasAskedAnything) {
+  coppice_msgs::SpeechState state;
+  state.language = "de";
+  EXPECT_TRUE(Leads(state_, state, [](const Visitor& v) { return v.language == "de"; }));
 }
 
 TEST_F(VisitorFeedTest, CountsTouches) {

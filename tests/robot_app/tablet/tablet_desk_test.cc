@@ -138,6 +138,7 @@ TEST_F(TabletDeskTest, TellsTheFaceOnlyWhenItHasChanged) {
     view.face_number = 4;
   });
   EXPECT_EQ(Call({{"do", "state"}, {"face", 3}})["face"], "00ff10");
+  EXPECT_EQ(Call({{"do", "state"}, {"language", "de"}})["language"], "en") << "of who comes next";
   EXPECT_FALSE(Call({{"do", "state"}, {"face", 4}}).contains("face"));
 }
 

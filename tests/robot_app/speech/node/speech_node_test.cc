@@ -213,6 +213,32 @@ TEST_F(SpeechNodeTest, WhileItSpeaksItHearsNothing) {
   EXPECT_EQ(hear.response.message, "the ear is shut");
 }
 
+TEST_F(SpeechNodeTest, WhoTouchesTheTabletInGermanIsSpokenToInGerman) {
+  Latest<coppice_msgs::SpeechState> state(node_, "/speech/state");
+  ros::Publisher tablet = node_.advertise<coppice_msgs::Answer>("/speech/answer", 1);
+  EXPECT_TRUE(Eventually([&] { return state.get() && state.get()->language == "en"; }));
+  coppice_msgs::Answer answer;
+  answer.language = "de";
+  EXPECT_TRUE(Eventually([&] {
+    tablet.publish(answer);
+    return state.get()->language == "de";
+  }));
+  EXPECT_EQ(Asked("wo ist die Bibliothek", "").language, "de");
+}
+
+TEST(SpeechProgram, SpeaksTheLanguageOfThePlaceWithWhoHasSaidNothing) {
+  TemporaryFolder folder;
+  ros::NodeHandle node;
+  Latest<coppice_msgs::SpeechState> state(node, "/speech/state");
+  ChildProcess program({BinaryFolder() + "/bin/coppice-speech",
+                        "_knowledge:=" + folder.Path("campus.db"), "_site:=sample",
+                        "_language:=de", "_output:=none"},
+                       folder.Path("log"));
+  EXPECT_TRUE(Eventually([&] { return state.get() && state.get()->language == "de"; }))
+      << LogOf(folder);
+  ros::param::del("/speech/language");  // which would outlive it
+}
+
 TEST(SpeechProgram, AnOutputThatIsNoneIsSaidAtTheStart) {
   TemporaryFolder folder;
   ChildProcess program({BinaryFolder() + "/bin/coppice-speech", "_output:=loud"},
