@@ -62,7 +62,8 @@ struct TabletView {
 
 class TabletDesk {
  public:
-  /// The language of the dialogue is that of a page that nobody uses. `links` must outlive this. `clock`: of the site, for departures and menus.
+  /// The language of the dialogue is that of a page that nobody uses. `links` must outlive this.
+  /// `clock`: of the site, for departures and menus.
   TabletDesk(std::unique_ptr<knowledge::Dialogue> dialogue, TopologicalMap map, TabletLinks& links,
              std::function<WallTime()> clock);
 

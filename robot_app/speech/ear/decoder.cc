@@ -61,10 +61,11 @@ void WriteDictionary(const std::string& path, const NgramCounts& counts,
 ps_decoder_t* DecoderOf(const std::string& model, const Folder& files, double language_weight) {
   const std::string weight = std::to_string(language_weight);
   const std::string last_weight = std::to_string(1.5 * language_weight);
-  cmd_ln_t* const config = cmd_ln_init(nullptr, ps_args(), TRUE, "-hmm", (model + "/en-us").c_str(),
-                                       "-dict", files.Path("words.dict").c_str(), "-lw",
-                                       weight.c_str(), "-fwdflatlw", weight.c_str(), "-bestpathlw",
-                                       last_weight.c_str(), "-remove_noise", "no", "-remove_silence", "no", "-logfn", "/dev/null", nullptr);
+  cmd_ln_t* const config =
+      cmd_ln_init(nullptr, ps_args(), TRUE, "-hmm", (model + "/en-us").c_str(), "-dict",
+                  files.Path("words.dict").c_str(), "-lw", weight.c_str(), "-fwdflatlw",
+                  weight.c_str(), "-bestpathlw", last_weight.c_str(), "-remove_noise", "no",
+                  "-remove_silence", "no", "-logfn", "/dev/null", nullptr);
   ps_decoder_t* const decoder = config == nullptr ? nullptr : ps_init(config);
   if (config != nullptr) cmd_ln_free_r(config);
   return decoder;

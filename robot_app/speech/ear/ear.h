@@ -32,7 +32,8 @@ class Ear {
   Ear(const EarSettings& settings, Listening listening)
       : settings_(settings), listening_(listening), activity_(settings.activity) {}
 
-  /// Samples at kHearingRate that have just come. An utterance, when it pauses and once it has ended.
+  /// Samples at kHearingRate that have just come. An utterance, when it pauses and when it has
+  /// ended.
   std::optional<Utterance> Hear(const std::vector<std::int16_t>& samples, Time now);
 
   /// The utterance in a sound of any rate that somebody has recorded, if there is one.

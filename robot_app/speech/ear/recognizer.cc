@@ -12,10 +12,10 @@
 namespace coppice::robot::speech {
 namespace {
 
-constexpr int kLoudEnough = 30;       // of 32767; less is silence
-constexpr double kLeastReply = 0.6;   // else it was no reply
-constexpr double kUnasked = 0.2;      // of the weight of replies, while nothing is asked
-constexpr double kCommonShare = 0.6;  // of what may come anywhere; the rest are fillers
+constexpr int kLoudEnough = 30;        // of 32767; less is silence
+constexpr double kLeastReply = 0.6;    // else it was no reply
+constexpr double kUnasked = 0.2;       // of the weight of replies, while nothing is asked
+constexpr double kCommonShare = 0.6;   // of what may come anywhere; the rest are fillers
 constexpr double kLeastChance = 1e-3;  // of a text that is worth being understood
 
 // One knows little but what people ask here, the other what they say anywhere, too: what only one

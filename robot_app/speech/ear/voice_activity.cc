@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kFrame = kHearingRate / 100;
 constexpr double kFramesPerSecond = 100;
-constexpr double kRise = 0.1;         // of the noise in each frame: 10 dB in a second
+constexpr double kRise = 0.1;  // of the noise in each frame: 10 dB in a second
 constexpr double kRiseInSpeech = 0.02;
 constexpr double kFall = 0.2;         // of the way down to a quieter frame
 constexpr double kLoudestStart = 45;  // dB; a recording may begin with speech

@@ -1,5 +1,5 @@
-// Finds utterances in what a microphone hears, by its loudness above the noise of the place, without
-// the low frequencies.
+// Finds utterances in what a microphone hears, by its loudness above the noise of the place, both
+// without the low frequencies.
 //
 //   VoiceActivity activity({});
 //   if (auto utterance = activity.Hear(samples)) ...            // it has ended, or pauses

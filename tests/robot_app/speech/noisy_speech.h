@@ -34,8 +34,8 @@ inline double PowerOf(const std::vector<double>& samples) {
   return sum / static_cast<double>(samples.size());
 }
 
-/// The sound at half its loudness, with some seconds before and behind it, in noise whose power lies
-/// `snr` below that of the speech [dB].
+/// The sound at half its loudness, with some seconds before and behind it, in noise whose power
+/// lies `snr` below that of the speech [dB].
 inline Sound InNoise(const Sound& speech, double snr, unsigned seed, double seconds = 0.3) {
   const std::vector<double> said(speech.samples.begin(), speech.samples.end());
   const auto around = static_cast<std::size_t>(speech.rate * seconds);

@@ -1,7 +1,8 @@
 // How well the robot hears what people ask, and how fast: utterances that were written by hand,
 // spoken by voices of espeak-ng in noise, recognized by pocketsphinx, understood. Where the robot
-// asks back, the same voice replies in the same noise what the visitor would. The sound comes as from
-// a microphone, 20 ms at a time, with noise before and behind. `./dev bench speech` builds and runs it.
+// asks back, the same voice replies in the same noise what the visitor would. The sound comes as
+// from a microphone, 20 ms at a time, with noise before and behind. `./dev bench speech` builds and
+// runs it.
 //
 //   coppice_speech_bench [--every N] [--misses]
 //
@@ -173,8 +174,7 @@ class Bench {
       const auto piece = sound.samples.begin() + static_cast<std::ptrdiff_t>(at);
       auto utterance = ear.Hear({piece, piece + kPiece}, {});
       if (!utterance) continue;
-      const bool is_known =
-          foreseen && foreseen->sound.samples == utterance->sound.samples;
+      const bool is_known = foreseen && foreseen->sound.samples == utterance->sound.samples;
       if (!is_known) {
         const Instant begin = std::chrono::steady_clock::now();
         heard.alternatives = recognize(utterance->sound);

@@ -54,8 +54,7 @@ TEST_F(LikelyMeaningsTest, WhatIsNotUnderstoodIsOneMeaning) {
 TEST_F(LikelyMeaningsTest, NothingMeansNothing) { EXPECT_THAT(Of({}), IsEmpty()); }
 
 TEST_F(LikelyMeaningsTest, WhatIsSureOrTooUnlikelyIsNotAskedBack) {
-  EXPECT_THAT(Asked({{"where is the copy shop", 9}, {"where is the reading room", 1}}),
-              IsEmpty());
+  EXPECT_THAT(Asked({{"where is the copy shop", 9}, {"where is the reading room", 1}}), IsEmpty());
   EXPECT_THAT(Asked({{"the moon was blue", 6}, {"where is the copy shop", 3}, {"goodbye", 1}}),
               IsEmpty());
   EXPECT_THAT(Asked({}), IsEmpty());

@@ -230,10 +230,10 @@ TEST(SpeechProgram, SpeaksTheLanguageOfThePlaceWithWhoHasSaidNothing) {
   TemporaryFolder folder;
   ros::NodeHandle node;
   Latest<coppice_msgs::SpeechState> state(node, "/speech/state");
-  ChildProcess program({BinaryFolder() + "/bin/coppice-speech",
-                        "_knowledge:=" + folder.Path("campus.db"), "_site:=sample",
-                        "_language:=de", "_output:=none"},
-                       folder.Path("log"));
+  ChildProcess program(
+      {BinaryFolder() + "/bin/coppice-speech", "_knowledge:=" + folder.Path("campus.db"),
+       "_site:=sample", "_language:=de", "_output:=none"},
+      folder.Path("log"));
   EXPECT_TRUE(Eventually([&] { return state.get() && state.get()->language == "de"; }))
       << LogOf(folder);
   ros::param::del("/speech/language");  // which would outlive it
