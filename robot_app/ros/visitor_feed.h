@@ -1,7 +1,7 @@
 // Brings what visitors want to the trees: what was heard and answered (/speech/heard,
-// /speech/answer), in which language is spoken with them (/speech/state) and that somebody uses the
-// tablet (/tablet/touched). A wish to be guided lasts until a tree has settled it, the visitor takes
-// it back, or wants something else; how it ended is told on /visitors/outcome.
+// /speech/answer), in which language is spoken with them (/speech/state) and that somebody uses
+// the tablet (/tablet/touched). A wish to be guided lasts until a tree has settled it, the visitor
+// takes it back, or wants something else; how it ended is told on /visitors/outcome.
 #ifndef COPPICE_ROBOT_APP_ROS_VISITOR_FEED_H_
 #define COPPICE_ROBOT_APP_ROS_VISITOR_FEED_H_
 
