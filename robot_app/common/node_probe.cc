@@ -6,9 +6,11 @@
 #include <unistd.h>
 #include <xmlrpcpp/XmlRpc.h>
 #include <xmlrpcpp/XmlRpcDispatch.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -19,11 +21,51 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr Duration kConnectTime = std::chrono::milliseconds(100);
 
-// Makes the connection's state visible: the library reports a refused connection nowhere else.
+constexpr int kMostAnswer = 16 << 20;     // bytes
+constexpr std::size_t kDeepestValue = 8;  // the ROS APIs have arrays in arrays of an array
+
+// The library takes an array apart by recursion, which a deep one ends with the program.
+bool IsDeep(const std::string& answer) {
+  std::size_t depth = 0;
+  for (std::size_t at = 0; (at = answer.find('<', at)) != std::string::npos; ++at) {
+    if (answer.compare(at, 6, "<value") == 0 && ++depth > kDeepestValue) return true;
+    if (answer.compare(at, 7, "</value") == 0 && depth > 0) --depth;
+  }
+  return false;
+}
+
+// Makes the connection's state visible: the library reports a refused connection nowhere else. And
+// believes nobody: who answers without end, or with what the library chokes on, does not answer.
 class Client : public XmlRpc::XmlRpcClient {
  public:
   explicit Client(const NodeAddress& to) : XmlRpcClient(to.host.c_str(), to.port, "/") {}
   bool failed() const { return _connectionState == NO_CONNECTION; }
+
+  unsigned handleEvent(unsigned event) override {
+    try {
+      return XmlRpcClient::handleEvent(event);
+    } catch (const std::bad_alloc&) {
+      close();
+      return 0;
+    }
+  }
+
+ private:
+  bool readHeader() override {
+    if (!XmlRpcClient::readHeader()) return false;
+    if (_contentLength <= kMostAnswer) return true;
+    close();
+    return false;
+  }
+
+  bool parseResponse(XmlRpc::XmlRpcValue& result) override {
+    try {
+      if (!IsDeep(_response)) return XmlRpcClient::parseResponse(result);
+    } catch (const XmlRpc::XmlRpcException&) {
+    }
+    result.clear();
+    return false;
+  }
 };
 
 class QuietHandler : public XmlRpc::XmlRpcErrorHandler {
@@ -77,6 +119,7 @@ bool Publishes(XmlRpc::XmlRpcValue& topics, const std::string& wanted) {
   if (topics.getType() != XmlRpc::XmlRpcValue::TypeArray) return false;
   for (int i = 0; i < topics.size(); ++i) {
     if (topics[i].getType() != XmlRpc::XmlRpcValue::TypeArray || topics[i].size() < 1) continue;
+    if (topics[i][0].getType() != XmlRpc::XmlRpcValue::TypeString) continue;
     if (static_cast<std::string>(topics[i][0]) == wanted) return true;
   }
   return false;

@@ -6,9 +6,11 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <unistd.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <optional>
 
@@ -113,6 +115,19 @@ int Show(bool watch, bool as_json, double timeout) {
   return states && IsAsItShouldBe(*states) ? kWell : kNotWell;
 }
 
+// Who answers in the supervisor's or the master's place may say what roscpp does not expect.
+int AskOrShow(const Options& options, double timeout) {
+  try {
+    ros::start();
+    return options.files.empty() ? Show(options.Has("--watch"), options.Has("--json"), timeout)
+                                 : Request(options.files, timeout);
+  } catch (const XmlRpc::XmlRpcException&) {
+    return Nobody();
+  } catch (const std::exception&) {
+    return Nobody();
+  }
+}
+
 int Main(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(ProcessesCommand(), arguments);
   if (options.exit) return *options.exit;
@@ -131,9 +146,7 @@ int Main(const std::vector<std::string>& arguments) {
   ros::Time::init();
   const bool asks = !options.files.empty();
   if (asks && (options.Has("--watch") || options.Has("--json"))) return Usage();
-  ros::start();
-  const int status = asks ? Request(options.files, timeout)
-                          : Show(options.Has("--watch"), options.Has("--json"), timeout);
+  const int status = AskOrShow(options, timeout);
   ros::shutdown();
   return status;
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "bt_core/model/utf8.h"
 #include "robot_app/processes/escalation.h"
 #include "robot_app/processes/launch/lifecycle.h"
 
@@ -23,6 +24,12 @@ std::string Rough(double seconds) {
   return std::to_string(static_cast<int>(seconds / 86400)) + " d";
 }
 
+// Whoever publishes the states says nothing to the terminal, and no line is wider than it should.
+std::string Cell(const std::string& text) {
+  constexpr std::size_t kWidest = 300;
+  return PlainText(text, kWidest);
+}
+
 std::string StateName(const ProcessState& process) {
   return ToString(static_cast<ProcessPhase>(process.state));
 }
@@ -38,16 +45,16 @@ Row ToRow(const ProcessState& process, double now) {
     message += "; again in " + Rough(left);
   }
   return {
-      process.name,
-      process.group,
-      process.host.empty() ? "-" : process.host,
+      Cell(process.name),
+      Cell(process.group),
+      process.host.empty() ? "-" : Cell(process.host),
       StateName(process),
       process.since.isZero() ? "-" : Rough(now - process.since.toSec()),
       process.pid == 0 ? "-" : std::to_string(process.pid),
       std::to_string(process.restarts),
       std::to_string(process.restarts_in_window) + "/" + std::to_string(process.restarts_allowed),
       StepName(process),
-      message};
+      Cell(message)};
 }
 
 std::string Align(const std::vector<Row>& rows) {
@@ -97,8 +104,8 @@ std::string ToTable(const coppice_msgs::ProcessStates& states, Time now) {
       {"PROCESS", "GROUP", "HOST", "STATE", "FOR", "PID", "RESTARTS", "USED", "STEP", "MESSAGE"}};
   const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
   for (const ProcessState& process : states.processes) rows.push_back(ToRow(process, seconds));
-  return (states.site.empty() ? "" : "site " + states.site + ", ") + "configuration " +
-         states.configuration + (states.manual ? ", held by hand" : "") +
+  return (states.site.empty() ? "" : "site " + Cell(states.site) + ", ") + "configuration " +
+         Cell(states.configuration) + (states.manual ? ", held by hand" : "") +
          (states.changing ? ", changing" : "") + (states.safe_stop ? ", SAFE STOP" : "") + "\n" +
          Align(rows);
 }

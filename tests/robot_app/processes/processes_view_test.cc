@@ -38,6 +38,17 @@ TEST(ProcessesViewTest, TheTableShowsEverythingInColumns) {
             "ended by signal 11; again in 10 s\n");
 }
 
+TEST(ProcessesViewTest, WhoeverPublishesTheStatesSaysNothingToTheTerminal) {
+  coppice_msgs::ProcessStates states = Example();
+  states.configuration = "\x1b[2Joperating";
+  states.processes[0].name = "\x1b]0;ekf\xff\n";
+  states.processes[0].message = std::string(1'000'000, 'x');
+  states.processes.resize(1000, Example().processes[0]);
+  const std::string table = ToTable(states, Time(std::chrono::seconds(1010)));
+  EXPECT_EQ(table.find('\x1b'), std::string::npos);
+  EXPECT_LT(table.size(), 1000U * 500);
+}
+
 TEST(ProcessesViewTest, RowsAreTheProcessesOnOneLineTheMostImportantFirst) {
   const std::string rows = ToJsonRows(Example());
   EXPECT_EQ(
