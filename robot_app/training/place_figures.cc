@@ -150,9 +150,13 @@ std::vector<PlaceFigures> MeasureClouds(const slam::PlaceClassifier& classifier,
                        double& seconds) -> std::optional<Answer> {
     const slam::CloudPoints points = eyes.TakeCloud(stop);
     const Watch watch(seconds);
-    const auto found = places.Find(slam::Keep(points), [&](std::uint32_t i) {
-      return simulation::Length(known[i].truth.position() - stop.truth.position()) <= study.doubt;
-    });
+    const auto found =
+        places.Find(slam::Keep(points), [&](std::uint32_t i) -> std::optional<slam::TurnGuess> {
+          const Pose2 relative = Compose(Inverse(known[i].truth), stop.truth);
+          if (simulation::Length(relative.position()) > study.doubt) return std::nullopt;
+          const double off = (i % 2 == 0 ? 1 : -1) * study.turn_doubt / 4;
+          return slam::TurnGuess{relative.yaw + off, study.turn_doubt};
+        });
     if (!found) return std::nullopt;
     return Answer{found->key_frame, found->registration.relative, found->registration.overlap,
                   IsSure(found->registration, places.settings().registration)};

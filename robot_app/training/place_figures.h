@@ -4,6 +4,7 @@
 #ifndef COPPICE_ROBOT_APP_TRAINING_PLACE_FIGURES_H_
 #define COPPICE_ROBOT_APP_TRAINING_PLACE_FIGURES_H_
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -35,8 +36,10 @@ struct PlaceStudy {
   std::vector<simulation::Vec2> way;
   std::vector<double> lights;  ///< a round with each
   std::uint64_t seed = 1;
-  /// Of clouds: only places are asked for that are so near to where the robot is [m].
+  /// Of clouds: only places are asked for that are so near to where the robot is [m], and its turn
+  /// is known that well [rad]; what is said of it is wrong by a quarter of that.
   double doubt = 1e9;
+  double turn_doubt = M_PI;
 };
 
 /// `say` hears how far it is, 0..1.

@@ -18,6 +18,8 @@ float Unlike(const CloudDescriptor& a, const CloudDescriptor& b) {
   return sum;
 }
 
+constexpr double kKnownTurn = 0.5;  // rad: from so far off a registration finds it
+
 // How well it fits; what only slides along walls does not fit where those end.
 double Fit(const Registration& registration) {
   return registration.overlap + registration.hold_share;
@@ -44,21 +46,29 @@ void CloudPlaces::Remove(std::uint32_t key_frame) {
   }
 }
 
-std::vector<CloudPlaces::Candidate> CloudPlaces::Candidates(
-    const KnownCloud& cloud, const std::function<bool(std::uint32_t)>& is_asked) const {
-  std::vector<std::pair<float, std::size_t>> near;
+std::vector<CloudPlaces::Candidate> CloudPlaces::Candidates(const KnownCloud& cloud,
+                                                            const CloudQuestion& question) const {
+  struct Near {
+    float unlike;
+    Candidate candidate;
+  };
+  std::vector<Near> near;
   for (std::size_t i = 0; i < clouds_.size(); ++i) {
-    if (is_asked(key_frames_[i]))
-      near.push_back({Unlike(clouds_[i].descriptor, cloud.descriptor), i});
+    const auto guess = question(key_frames_[i]);
+    if (guess) near.push_back({Unlike(clouds_[i].descriptor, cloud.descriptor), {i, *guess, 0}});
   }
   const std::size_t compared = std::min(settings_.compared, near.size());
-  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(compared), near.end());
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(compared), near.end(),
+                    [](const Near& a, const Near& b) {
+                      return a.unlike != b.unlike ? a.unlike < b.unlike
+                                                  : a.candidate.cloud < b.candidate.cloud;
+                    });
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < compared; ++i) {
-    const std::size_t known = near[i].second;
-    const float probability =
-        classifier_.Probability(Compare(clouds_[known].descriptor, cloud.descriptor));
-    if (probability >= settings_.least_probability) candidates.push_back({known, probability});
+    Candidate& candidate = near[i].candidate;
+    candidate.probability =
+        classifier_.Probability(Compare(clouds_[candidate.cloud].descriptor, cloud.descriptor));
+    if (candidate.probability >= settings_.least_probability) candidates.push_back(candidate);
   }
   std::stable_sort(
       candidates.begin(), candidates.end(),
@@ -67,15 +77,23 @@ std::vector<CloudPlaces::Candidate> CloudPlaces::Candidates(
   return candidates;
 }
 
-std::optional<CloudPlace> CloudPlaces::Find(
-    const KnownCloud& cloud, const std::function<bool(std::uint32_t)>& is_asked) const {
+// That a registration begins with.
+std::vector<double> CloudPlaces::Turns(const Candidate& candidate, const KnownCloud& cloud) const {
+  if (candidate.guess.doubt <= kKnownTurn) return {candidate.guess.turn};
+  return LikelyTurns(clouds_[candidate.cloud].descriptor, cloud.descriptor, settings_.turns);
+}
+
+std::optional<CloudPlace> CloudPlaces::Find(const KnownCloud& cloud,
+                                            const CloudQuestion& question) const {
   std::optional<CloudPlace> best;
-  for (const Candidate& candidate : Candidates(cloud, is_asked)) {
-    const KnownCloud& known = clouds_[candidate.cloud];
-    for (const double turn : LikelyTurns(known.descriptor, cloud.descriptor, settings_.turns)) {
+  for (const Candidate& candidate : Candidates(cloud, question)) {
+    const ThinCloud& known = clouds_[candidate.cloud].thin;
+    for (const double turn : Turns(candidate, cloud)) {
       const auto registration =
-          Register(known.thin, cloud.thin, ToPose3({0, 0, turn}), settings_.registration);
+          Register(known, cloud.thin, ToPose3({0, 0, turn}), settings_.registration);
       if (!registration) continue;
+      const double off = ToPose2D(registration->relative).yaw - candidate.guess.turn;
+      if (std::abs(std::remainder(off, 2 * M_PI)) > candidate.guess.doubt) continue;
       if (best && Fit(*registration) <= Fit(best->registration)) continue;
       best = CloudPlace{key_frames_[candidate.cloud], candidate.probability, *registration};
       if (IsSure(*registration, settings_.registration)) return best;

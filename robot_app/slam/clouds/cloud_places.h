@@ -8,6 +8,7 @@
 #ifndef COPPICE_ROBOT_APP_SLAM_CLOUDS_CLOUD_PLACES_H_
 #define COPPICE_ROBOT_APP_SLAM_CLOUDS_CLOUD_PLACES_H_
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -43,6 +44,15 @@ struct CloudPlace {
   Registration registration;
 };
 
+/// How the robot may be turned, as seen from a key frame, before any cloud is looked at: no place
+/// is believed that is turned otherwise. Rooms look alike from several sides.
+struct TurnGuess {
+  double turn = 0;      ///< [rad]
+  double doubt = M_PI;  ///< [rad]
+};
+/// Nothing: that key frame is not asked for.
+using CloudQuestion = std::function<std::optional<TurnGuess>(std::uint32_t)>;
+
 struct CloudPlacesSettings {
   std::size_t compared = 60;   ///< the clouds of the likest scalars, which the classifier looks at
   std::size_t candidates = 2;  ///< that are registered
@@ -63,20 +73,21 @@ class CloudPlaces {
   void Remove(std::uint32_t key_frame);
 
   /// A key frame that the cloud surely lies upon (IsSure), the likest first; else the one that it
-  /// lies upon best; of those that `is_asked` holds for. Nothing: the classifier knows none, or
-  /// none can be registered.
-  std::optional<CloudPlace> Find(const KnownCloud& cloud,
-                                 const std::function<bool(std::uint32_t)>& is_asked) const;
+  /// lies upon best; of those that are asked for, and turned as it may be. Nothing: the classifier
+  /// knows none, or none can be registered. At most `candidates` times `turns` registrations, and
+  /// one for each candidate if the turn is known well.
+  std::optional<CloudPlace> Find(const KnownCloud& cloud, const CloudQuestion& question) const;
 
   const CloudPlacesSettings& settings() const { return settings_; }
 
  private:
   struct Candidate {
     std::size_t cloud = 0;
+    TurnGuess guess;
     float probability = 0;
   };
-  std::vector<Candidate> Candidates(const KnownCloud& cloud,
-                                    const std::function<bool(std::uint32_t)>& is_asked) const;
+  std::vector<Candidate> Candidates(const KnownCloud& cloud, const CloudQuestion& question) const;
+  std::vector<double> Turns(const Candidate& candidate, const KnownCloud& cloud) const;
 
   const PlaceClassifier& classifier_;
   CloudPlacesSettings settings_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "robot_app/slam/graph/floor_pose.h"
+
 namespace coppice::robot::slam {
 namespace {
 
@@ -19,16 +21,18 @@ constexpr double kPictureTurn = 0.012;  // rad
 constexpr double kCloudPlace = 0.04;
 constexpr double kCloudTurn = 0.01;
 
-constexpr float kKeptEdge = 0.1F;      // m: a point in each such cube is kept
-constexpr float kKeptRange = 40;       // m
-constexpr double kNear = 4;            // m: what is of use there is in the working memory,
-constexpr std::size_t kEnough = 16;    // if there are not so many already,
-constexpr std::size_t kRetrieved = 1;  // at once
-constexpr double kPlace = 1;           // m: key frames in such a square,
-constexpr double kPlaceTurn = M_PI_2;  // rad: and so turned were taken at one place
-constexpr double kLeastDoubt = 1.5;    // m: clouds are asked for places so near to the robot
-constexpr double kMostDoubt = 6;       // m
-constexpr double kBetweenClouds = 1;   // m of way between two closures by clouds
+constexpr float kKeptEdge = 0.1F;         // m: a point in each such cube is kept
+constexpr float kKeptRange = 40;          // m
+constexpr double kNear = 4;               // m: what is of use there is in the working memory,
+constexpr std::size_t kEnough = 16;       // if there are not so many already,
+constexpr std::size_t kRetrieved = 1;     // at once
+constexpr double kPlace = 1;              // m: key frames in such a square,
+constexpr double kPlaceTurn = M_PI_2;     // rad: and so turned were taken at one place
+constexpr double kLeastDoubt = 1.5;       // m: clouds are asked for places so near to the robot
+constexpr double kMostDoubt = 6;          // m
+constexpr double kLeastTurnDoubt = 0.06;  // rad: and turned as it is, but for so much
+constexpr double kMostTurnDoubt = 0.4;
+constexpr double kBetweenClouds = 1;  // m of way between two closures by clouds
 
 double AngleOf(const Pose3& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }
 
@@ -225,11 +229,15 @@ void SlamMapper::LookAtPictures(const Sight& sight, MapperReport& report) {
 
 void SlamMapper::LookAtCloud(const KnownCloud& cloud, MapperReport& report) {
   if (closed_at_ > 0 && way_ - closed_at_ < kBetweenClouds) return;
-  const double doubt = std::min(kLeastDoubt + settings_.drift * (way_ - closed_at_), kMostDoubt);
-  const auto found = clouds_.Find(cloud, [&](std::uint32_t k) {
-    if (!IsOld(k) || !graph_.InOneMap(k, report.key_frame)) return false;
-    const auto& poses = graph_.poses();
-    return (poses[k].translation() - poses[report.key_frame].translation()).norm() <= doubt;
+  const double way = way_ - closed_at_;
+  const double doubt = std::min(kLeastDoubt + settings_.drift * way, kMostDoubt);
+  const double turn_doubt = std::min(kLeastTurnDoubt + settings_.twist * way, kMostTurnDoubt);
+  const Pose3& here = graph_.poses()[report.key_frame];
+  const auto found = clouds_.Find(cloud, [&](std::uint32_t k) -> std::optional<TurnGuess> {
+    if (!IsOld(k) || !graph_.InOneMap(k, report.key_frame)) return std::nullopt;
+    const Pose3 relative = graph_.poses()[k].inverse() * here;
+    if (relative.translation().norm() > doubt) return std::nullopt;
+    return TurnGuess{ToPose2D(relative).yaw, turn_doubt};
   });
   if (!found || !IsSure(found->registration, settings_.clouds.registration)) return;
   report.by_cloud = Link{found->key_frame, report.key_frame, found->registration.relative,

@@ -8,7 +8,7 @@
 //
 // A session begins in a frame of its own, and is moved into the map of the older ones once two
 // closures agree (session_graph.h). Clouds are asked for a place only where the robot may be after
-// what it has driven: rooms that are built alike look alike to a lidar.
+// what it has driven, and turned as it may be: rooms that are built alike look alike to a lidar.
 //
 // With a store all is on the disk after each sight, and what is not worked with is only there.
 //
@@ -54,7 +54,8 @@ struct MapperSettings {
   double turn = 0.35;                   ///< or after such a turn [rad]
   std::size_t working = 2000;           ///< key frames that are asked for places, and in memory
   std::size_t recent = 12;              ///< the last ones are not asked for: they are bound anyway
-  double drift = 0.03;                  ///< how far odometry may be off, share of the way
+  double drift = 0.03;                  ///< how far odometry may be off, share of the way,
+  double twist = 0.006;                 ///< and turned too far, for each metre [rad]
   Eigen::Vector3d lidar = {0, 0, 1.2};  ///< in base_link
   double resolution = 0.1;              ///< of the voxels [m]
   SessionGraphSettings graph;

@@ -4,50 +4,16 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
-#include <opencv2/features2d.hpp>
 
 #include "robot_app/slam/graph/planar_fit.h"
+#include "robot_app/slam/pictures/corner_pairs.h"
 
 namespace coppice::robot::slam {
 namespace {
 
-constexpr float kMostDifference = 64;  // bits: more is something else
-constexpr float kClearly = 0.85F;      // the second best must differ so much more
 constexpr int kLeastPairs = 8;
 constexpr int kDraws = 200;  // of RANSAC
 constexpr double kCertain = 0.999;
-
-struct Pair {
-  std::size_t old_corner;
-  std::size_t new_corner;
-};
-
-// Descriptions as rows; they must outlive it.
-cv::Mat RowsOf(const std::vector<Descriptor>& descriptors) {
-  return {static_cast<int>(descriptors.size()), static_cast<int>(sizeof(Descriptor)), CV_8U,
-          const_cast<Descriptor*>(descriptors.data())};
-}
-
-// Each is the best for the other, and the second best is clearly worse; with depth in the old one.
-std::vector<Pair> PairsOf(const PictureFeatures& a, const PictureFeatures& b) {
-  std::vector<Pair> pairs;
-  if (a.size() < 2 || b.size() < 2) return pairs;
-  const cv::BFMatcher matcher(cv::NORM_HAMMING);
-  std::vector<std::vector<cv::DMatch>> forth;
-  std::vector<cv::DMatch> back;
-  matcher.knnMatch(RowsOf(a.descriptors), RowsOf(b.descriptors), forth, 2);
-  matcher.match(RowsOf(b.descriptors), RowsOf(a.descriptors), back);
-  for (const std::vector<cv::DMatch>& best : forth) {
-    const auto i = static_cast<std::size_t>(best[0].queryIdx);
-    const auto k = static_cast<std::size_t>(best[0].trainIdx);
-    if (best[0].distance > kMostDifference || best[0].distance > kClearly * best[1].distance ||
-        back[k].trainIdx != best[0].queryIdx || !a.points[i].allFinite()) {
-      continue;
-    }
-    pairs.push_back({i, k});
-  }
-  return pairs;
-}
 
 // The old base_link as the new lens sees it.
 struct Perspective {
@@ -64,7 +30,7 @@ std::optional<Perspective> Solve(const std::vector<cv::Point3d>& points,
   cv::theRNG().state = 1;  // the same pictures give the same pose
   if (!cv::solvePnPRansac(points, pixels, camera, cv::noArray(), found.rotation, found.translation,
                           false, kDraws, static_cast<float>(most_off), kCertain, found.agree,
-                          cv::SOLVEPNP_EPNP) ||
+                          cv::SOLVEPNP_AP3P) ||
       static_cast<int>(found.agree.size()) < kLeastPairs) {
     return std::nullopt;
   }
@@ -97,11 +63,11 @@ std::optional<PictureMatch> MatchPictures(const PictureFeatures& old_picture,
                                           const PictureFeatures& new_picture,
                                           const CameraMount& new_camera,
                                           const MatchSettings& settings) {
-  const std::vector<Pair> pairs = PairsOf(old_picture, new_picture);
-  if (static_cast<int>(pairs.size()) < kLeastPairs) return std::nullopt;
+  const std::vector<CornerPair> pairs = PairsOf(old_picture, new_picture);
+  if (static_cast<int>(pairs.size()) < settings.least_inliers) return std::nullopt;
   std::vector<cv::Point3d> points;
   std::vector<cv::Point2d> pixels;
-  for (const Pair& pair : pairs) {
+  for (const CornerPair& pair : pairs) {
     const Eigen::Vector3f& point = old_picture.points[pair.old_corner];
     const Eigen::Vector2f& pixel = new_picture.pixels[pair.new_corner];
     points.emplace_back(point.x(), point.y(), point.z());
@@ -116,7 +82,7 @@ std::optional<PictureMatch> MatchPictures(const PictureFeatures& old_picture,
   double squares = 0;
   std::vector<Eigen::Vector3d> old_points, new_points;  // with depth in both
   for (const int i : perspective->agree) {
-    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const CornerPair& pair = pairs[static_cast<std::size_t>(i)];
     const Eigen::Vector3d expected =
         match.relative.inverse() * old_picture.points[pair.old_corner].cast<double>();
     const Eigen::Vector3f& seen = new_picture.points[pair.new_corner];

@@ -35,7 +35,8 @@ struct PictureMatch {
   Pose3 relative = Pose3::Identity();  ///< base_link of the new picture as seen from the old one's
 };
 
-/// Pairs of the two, with how many agree; not yet whether that is enough. About 5 ms.
+/// Pairs of the two, with how many agree; not yet whether that is enough. Nothing: there are not
+/// even so many pairs as must agree. 1 ms, and some more where there are.
 std::optional<PictureMatch> MatchPictures(const PictureFeatures& old_picture,
                                           const PictureFeatures& new_picture,
                                           const CameraMount& new_camera,
