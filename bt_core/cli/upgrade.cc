@@ -6,11 +6,22 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/verbs.h"
+#include "bt_core/model/project.h"
 #include "bt_core/model/strictness.h"
 #include "bt_core/model/write_file.h"
 
 namespace coppice {
 namespace {
+
+// Of the file and all that it includes; what is wrong with those is no matter here.
+TreeNames TreesOf(const std::string& path) {
+  TreeNames names;
+  Diagnostics of_others;
+  if (const std::optional<Project> project = Project::FromFile(path, of_others)) {
+    for (const auto& [id, tree] : project->trees()) names.insert(id);
+  }
+  return names;
+}
 
 // The whole new text, or nothing if the file cannot be read.
 std::optional<std::string> Upgraded(const std::string& path) {
@@ -24,7 +35,7 @@ std::optional<std::string> Upgraded(const std::string& path) {
   const auto strict = document->Rewritten(StrictXmlEdit(*document), diagnostics);
   diagnostics = Diagnostics();  // from here on about the format
   const Document& readable = strict ? *strict : *document;
-  std::string text = Apply(UpgradeToFormat4(readable, diagnostics), readable.text());
+  std::string text = Apply(UpgradeToFormat4(readable, diagnostics, TreesOf(path)), readable.text());
   std::cerr << diagnostics.ToString();
   return text;
 }

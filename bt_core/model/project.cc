@@ -65,6 +65,7 @@ class ProjectReader {
   std::optional<Project> Finish(Diagnostics& diagnostics) {
     diagnostics.Append(diagnostics_);
     if (project_.documents_.empty()) return std::nullopt;
+    if (project_.documents_.size() > 1) UpgradeTreesByTheirNames();
     ChooseMainTree();
     project_.has_errors_ = diagnostics_.has_errors();
     return std::move(project_);
@@ -72,7 +73,7 @@ class ProjectReader {
 
  private:
   // Format 3 becomes format 4 here; Location() still names the user's own text.
-  Document AsFormat4(Document document) {
+  Document AsFormat4(std::uint32_t number, Document document) {
     project_.was_format_3_.push_back(false);
     if (document.element(kRootElement).tag != "root") return document;
     const std::size_t told = diagnostics_.all().size();
@@ -83,6 +84,7 @@ class ProjectReader {
     Diagnostics known;  // the same warnings once more
     std::optional<Document> upgraded = document.Rewritten(edit, known);
     if (!upgraded) return document;
+    of_format_3_.emplace(number, document);
     const bool says_so =
         document.FindAttribute(document.element(kRootElement), "BTCPP_format") != nullptr;
     if (says_so || told_of_format_3 || edit.size() > 1) {
@@ -95,6 +97,20 @@ class ProjectReader {
     return *std::move(upgraded);
   }
 
+  // What a document of format 3 uses as a node type may be a tree of a file that was read after it.
+  // That adds and moves no element, so their numbers stay.
+  void UpgradeTreesByTheirNames() {
+    TreeNames names;
+    for (const auto& [id, tree] : project_.trees_) {
+      if (!FindIn(project_.models_, id)) names.insert(id);
+    }
+    for (const auto& [number, document] : of_format_3_) {
+      Diagnostics known;
+      auto upgraded = document.Rewritten(UpgradeToFormat4(document, known, names), known);
+      if (upgraded) project_.documents_[number] = *std::move(upgraded);
+    }
+  }
+
   void WarnOfNoFormat(const Document& document) {
     diagnostics_.Warning(document.Location(document.element(kRootElement).offset),
                          "no BTCPP_format; read as format 4");
@@ -103,7 +119,7 @@ class ProjectReader {
   void Add(Document document) {
     const auto number = static_cast<std::uint32_t>(project_.documents_.size());
     known_.insert(IdentityOf(document.file()));
-    project_.documents_.push_back(AsFormat4(std::move(document)));
+    project_.documents_.push_back(AsFormat4(number, std::move(document)));
     if (!CheckRoot(number)) return;
     for (ElementIndex i = At(number).element(kRootElement).first_child; i != kNoElement;) {
       const Element element = At(number).element(i);
@@ -251,8 +267,9 @@ class ProjectReader {
   int missing_packages_ = 0;
   DocumentReader read_;
   std::vector<std::uint32_t> given_;
-  std::set<std::string> known_;  // identities of all documents
-  int depth_ = 0;                // of the include that is read
+  std::set<std::string> known_;                    // identities of all documents
+  std::map<std::uint32_t, Document> of_format_3_;  // as they were
+  int depth_ = 0;                                  // of the include that is read
   int trees_without_id_ = 0;
 };
 

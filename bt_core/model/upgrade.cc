@@ -88,8 +88,8 @@ bool IsOfFormat4(const Document& document, const Element& element) {
 
 class Upgrader {
  public:
-  Upgrader(const Document& document, Diagnostics& diagnostics)
-      : document_(document), diagnostics_(diagnostics) {}
+  Upgrader(const Document& document, Diagnostics& diagnostics, const TreeNames& trees)
+      : document_(document), diagnostics_(diagnostics), trees_(trees.begin(), trees.end()) {}
 
   Edit Run() {
     Add(SetAttribute(document_, kRootElement, "BTCPP_format", "4"));
@@ -169,7 +169,7 @@ class Upgrader {
     WarnOfGuards(element);
   }
 
-  // Up to 3.7, a tree was used as a node type, too.
+  // In format 3, a tree may be used as a node type, too.
   bool IsTreeByItsName(const Element& element) const {
     return trees_.count(element.tag) > 0 && models_.find(element.tag) == models_.end() &&
            element.child_count == 0;
@@ -293,8 +293,8 @@ std::string_view PortNameInFormat4(std::string_view type, std::string_view old) 
   return type == "Parallel" ? FindNew(kParallelPorts, old) : std::string_view();
 }
 
-Edit UpgradeToFormat4(const Document& document, Diagnostics& diagnostics) {
-  return IsFormat3(document) ? Upgrader(document, diagnostics).Run() : Edit();
+Edit UpgradeToFormat4(const Document& document, Diagnostics& diagnostics, const TreeNames& trees) {
+  return IsFormat3(document) ? Upgrader(document, diagnostics, trees).Run() : Edit();
 }
 
 }  // namespace coppice

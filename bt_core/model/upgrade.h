@@ -19,6 +19,9 @@
 #ifndef COPPICE_BT_CORE_MODEL_UPGRADE_H_
 #define COPPICE_BT_CORE_MODEL_UPGRADE_H_
 
+#include <functional>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "bt_core/model/document.h"
@@ -34,9 +37,13 @@ bool IsFormat3(const Document& document);
 std::string_view NodeNameInFormat4(std::string_view old);
 std::string_view PortNameInFormat4(std::string_view type, std::string_view old);
 
+using TreeNames = std::set<std::string, std::less<>>;
+
 /// What makes the document format 4. What cannot be upgraded stays and is a warning with its place.
-/// Empty if it is not of format 3.
-Edit UpgradeToFormat4(const Document& document, Diagnostics& diagnostics);
+/// Empty if it is not of format 3. `trees`: the IDs of trees in other files, which it may use as
+/// node types, too.
+Edit UpgradeToFormat4(const Document& document, Diagnostics& diagnostics,
+                      const TreeNames& trees = {});
 
 }  // namespace coppice
 

@@ -45,6 +45,14 @@ TEST_F(UpgradeTest, WritesToAnotherFile) {
   EXPECT_EQ(Read(file), kOld);
 }
 
+TEST_F(UpgradeTest, WhatIsATreeOfAnotherFileBecomesASubTree) {
+  Write("b.xml", "<root><BehaviorTree ID='B'><A/></BehaviorTree></root>");
+  const std::string file = Write(
+      "t.xml", "<root><include path='b.xml'/><BehaviorTree ID='M'><B/></BehaviorTree></root>");
+  EXPECT_EQ(Run(RunUpgrade, {file}), 0) << err_;
+  EXPECT_NE(out_.find("<SubTree ID=\"B\"/>"), std::string::npos) << out_;
+}
+
 TEST_F(UpgradeTest, SaysWhatItCannotUpgradeAtItsPlaceInTheOldFile) {
   const std::string file =
       Write("t.xml",

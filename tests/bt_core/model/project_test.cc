@@ -301,6 +301,23 @@ TEST(Project, WhatOtherProgramsKeepBelowRootIsIgnoredWithAWarning) {
             "t.xml:3:1: warning: <Environment> below <root> is ignored\n");
 }
 
+TEST_F(ProjectTest, InFormat3ATreeOfAnotherFileIsANodeTypeToo) {
+  Write("b.xml", "<root BTCPP_format=\"3\">" + Tree("B") + "</root>");
+  const std::string a = Write("a.xml",
+                              "<root BTCPP_format=\"3\"><include path=\"b.xml\"/>\n"
+                              "<BehaviorTree ID=\"A\">\n<B k=\"goal\"/></BehaviorTree></root>");
+  const auto project = Load(a);
+  ASSERT_TRUE(project);
+  const Document& document = project->documents()[0];
+  const ElementIndex used = document.element(project->Find("A")->element).first_child;
+  EXPECT_EQ(document.element(used).tag, "SubTree");
+  EXPECT_EQ(document.AttributeValue(document.element(used), "ID"), "B");
+  EXPECT_EQ(document.AttributeValue(document.element(used), "k"), "{goal}");
+  const SourceLocation where = document.Location(document.element(used).offset);
+  EXPECT_EQ(where.line, 3);  // in the user's own text
+  EXPECT_EQ(where.column, 1);
+}
+
 TEST(Project, KnowsWhichDocumentsWereOfFormat3) {
   Diagnostics diagnostics;
   const auto old = Project::FromText("<root>" + Tree("A") + "</root>", "t.xml", diagnostics);
