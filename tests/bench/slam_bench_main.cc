@@ -37,12 +37,17 @@ const Command kBench{
      CommandOption::Flag("--graphs-only", "measure pose graphs alone, in half a minute"),
      CommandOption::Whole("--updates", "N", 100, 1000000,
                           "measure updates alone, of a map that grows to N key frames"),
+     CommandOption::Whole("--rounds", "N", 1, 1000,
+                          "measure clouds alone, of what is near, on N rounds in the dark"),
      CommandOption::Text("--pictures", "FOLDER", "paint the curve and the last map"),
      CommandOption::Text("--save", "FOLDER", "keep the last map, for coppice-map")}};
 
 constexpr std::uint64_t kSeed = 1000001;  // nothing was learnt from it
 
-constexpr double kTurnDoubt = 0.4;  // rad: after a long way, as the mapper's
+// After a long way the mapper's doubt is:
+constexpr double kDoubt = 6;        // m
+constexpr double kTurnDoubt = 0.4;  // rad
+constexpr double kDark = 0.02;      // of full light
 
 int Fail(const std::string& problem) {
   std::fprintf(stderr, "coppice_slam_bench: %s\n", problem.c_str());
@@ -96,8 +101,8 @@ int MeasurePlaces(const Known& known, const Options& options) {
     curve.x.push_back(one.light);
     curve.y.push_back(one.recall());
   }
-  study.lights = {0.02};
-  for (const double doubt : {1e9, 6.0}) {
+  study.lights = {kDark};
+  for (const double doubt : {1e9, kDoubt}) {
     study.doubt = doubt;
     study.turn_doubt = doubt > 100 ? M_PI : kTurnDoubt;
     const auto figures = MeasureClouds(known.classifier, study, Say);
@@ -109,6 +114,26 @@ int MeasurePlaces(const Known& known, const Options& options) {
   if (!options.Has("--pictures")) return 0;
   return Paint(options, "places_by_light.jpg",
                slam::DrawCurves({curve, clouds}, "light", "places recognized, none wrong", true));
+}
+
+// Each round with other people, doors and noise.
+void MeasureRounds(const Known& known, int rounds) {
+  PlaceStudy study{known.floor, known.sensors, RoundOfTheInstitute(), {}, kSeed};
+  study.lights.assign(static_cast<std::size_t>(rounds), kDark);
+  study.doubt = kDoubt;
+  study.turn_doubt = kTurnDoubt;
+  const auto figures = MeasureClouds(known.classifier, study, Say);
+  int asked = 0, answered = 0, wrong = 0;
+  for (const PlaceFigures& one : figures) {
+    asked += one.asked;
+    answered += one.answered;
+    wrong += one.wrong;
+  }
+  std::printf("\nplaces in clouds, of those within %g m, on %d rounds\n%s", kDoubt, rounds,
+              Table(figures).c_str());
+  std::printf("of all %d stops %.1f %% recognized, %d wrongly\n", asked,
+              100.0 * (answered - wrong) / asked, wrong);
+  std::fflush(stdout);
 }
 
 void MeasureGraphs() {
@@ -171,6 +196,10 @@ int Main(const std::vector<std::string>& arguments) {
   if (!known) return Fail(known.problem());
   if (options.Has("--updates")) {
     MeasureUpdatesOf(*known, static_cast<std::size_t>(options.Whole("--updates", 5000)));
+    return 0;
+  }
+  if (options.Has("--rounds")) {
+    MeasureRounds(*known, static_cast<int>(options.Whole("--rounds", 20)));
     return 0;
   }
   if (!options.Has("--maps-only")) {
