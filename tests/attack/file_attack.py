@@ -6,6 +6,7 @@ MIB: how much memory no program may ever take. EDITOR, ROBOT: ON or OFF, whether
 """
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -151,6 +152,33 @@ class Records(FileAttack):
     def test_lengths_that_lie_are_damaged(self):
         head = struct.pack("<IB", 0xFFFFFFFF, EVENTS_FRAME)
         self.read(self.good + head + struct.pack("<I", crc32c(head)))
+
+    def test_who_is_killed_on_an_overloaded_computer_has_recorded_all_but_the_last_second(self):
+        self.write("loop.xml", TREE % '<Repeat num_cycles="-1"><Sleep msec="10"/></Repeat>')
+        others = [subprocess.Popen(["/bin/sh", "-c", "while :; do :; done"])
+                  for _ in range(4 * os.cpu_count())]
+        try:
+            run = subprocess.Popen([PROGRAM, "run", "loop.xml", "--record", "killed.coppice"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, text=True)
+            printed = ""
+            while self.last_tick(printed) < 150:
+                line = run.stdout.readline()
+                self.assertTrue(line, "it runs")
+                printed = line
+            run.kill()
+            last = self.last_tick(printed + run.stdout.read())
+            run.wait()
+            run.stdout.close()
+        finally:
+            for other in others:
+                other.kill()
+                other.wait()
+        recorded = self.last_tick(self.run_program("replay", "killed.coppice", "--print"))
+        self.assertGreater(recorded, last - 100)
+
+    @staticmethod
+    def last_tick(printed):
+        return max([int(tick) for tick in re.findall(r"\btick (\d+)", printed)], default=0)
 
     def test_what_is_no_file_is_no_record(self):
         os.mkfifo(self.path("pipe"))

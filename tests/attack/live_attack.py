@@ -30,7 +30,7 @@ LARGE_TREE = TREE.replace("<AlwaysSuccess/>", "<AlwaysSuccess/>" * 20_000)
 class Robot:
     """`coppice run`, and what it printed of its doors."""
 
-    def __init__(self, program, token=None, content=TREE, more={}):
+    def __init__(self, program, token=None, content=TREE, more={}, options=()):
         self.folder = tempfile.TemporaryDirectory()
         tree = os.path.join(self.folder.name, "tree.xml")
         with open(tree, "w") as file:
@@ -41,7 +41,7 @@ class Robot:
             environment["COPPICE_LIVE_TOKEN"] = token
         self.process = subprocess.Popen(
             [program, "run", tree, "--forever", "--quiet", "--live", "--live-port", "0", "--web",
-             "--web-port", "0"], env=environment, stdout=subprocess.PIPE,
+             "--web-port", "0", *options], env=environment, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, text=True)
         printed = ""
         while printed.count("://") < (2 if token else 1):
@@ -279,6 +279,33 @@ class Memory(WithRobot):
                     pass
         self.assert_serves(within=4.0)
         self.assertLess(self.robot.memory(), MEMORY)
+
+
+class Page(unittest.TestCase):
+    def test_a_large_file_that_nobody_reads_is_not_kept_for_each_who_asks(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "index.html"), "w") as file:
+                file.write("<p>here</p>")
+            with open(os.path.join(folder, "large.js"), "wb") as file:
+                file.truncate(20 << 20)
+            robot = Robot(PROGRAM, options=("--web-folder", folder))
+            self.addCleanup(robot.close)
+            crowd = []
+            for _ in range(64):
+                browser = socket.socket()
+                browser.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+                browser.settimeout(PATIENCE)
+                browser.connect(("127.0.0.1", robot.web_port))
+                browser.sendall(b"GET /large.js HTTP/1.1\r\nHost: localhost\r\n\r\n" * 8)
+                crowd.append(browser)
+                self.addCleanup(browser.close)
+            for browser in crowd:  # it is on its way to all of them
+                self.assertIn(b" 200 OK", read_until(browser, b"\r\n\r\n"))
+            reader = socket.create_connection(("127.0.0.1", robot.web_port), PATIENCE)
+            self.addCleanup(reader.close)
+            reader.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+            self.assertTrue(read_until(reader, b"<p>here</p>"))
+            self.assertLess(robot.memory(), 64 << 20)
 
 
 class LargeTree(WithRobot):

@@ -1,6 +1,7 @@
-"""Is a hostile robot to `coppice live`, and looks at what memory that takes.
+"""Is a hostile robot to `coppice live` and to the editor, and looks at what memory that takes.
 
-usage: robot_attack.py COPPICE MEBIBYTES
+usage: robot_attack.py COPPICE MEBIBYTES EDITOR
+EDITOR: ON or OFF, whether there is one.
 """
 import os
 import re
@@ -120,7 +121,34 @@ class Client(unittest.TestCase):
         self.attack(b"", ping * 3000)
 
 
+class Editor(unittest.TestCase):
+    def test_many_robots_that_send_the_largest_messages_take_no_more_than_one(self):
+        if not HAS_EDITOR:
+            self.skipTest("without the editor")
+        begin = frame(1, b"") + struct.pack(">BQ", 2, ANNOUNCED)
+        robots = [Robot(begin, bytes(65536)) for _ in range(4)]
+        command = [PROGRAM, "edit", "--headless"]
+        for robot in robots:
+            self.addCleanup(robot.door.close)
+            command += ["--connect", "127.0.0.1:%d" % robot.port]
+        with tempfile.TemporaryDirectory() as folder:
+            command += ["--picture", os.path.join(folder, "picture.png"), "--for", "30"]
+            process = subprocess.Popen(command, env=dict(os.environ, HOME=folder),
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            try:
+                end = time.monotonic() + PATIENCE
+                while sum(robot.sent for robot in robots) < 4 * ANNOUNCED:
+                    self.assertLess(time.monotonic(), end, "they are heard")
+                    self.assertIsNone(process.poll())
+                    time.sleep(0.05)
+                self.assertLess(memory_of(process), MEMORY)
+            finally:
+                process.kill()
+                process.wait(timeout=PATIENCE)
+
+
 if __name__ == "__main__":
+    HAS_EDITOR = sys.argv.pop(3) == "ON"
     MEMORY = int(sys.argv.pop(2)) << 20
     PROGRAM = sys.argv.pop(1)
     unittest.main(warnings="ignore")

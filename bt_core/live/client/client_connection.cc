@@ -151,9 +151,12 @@ void ClientConnection::Advance() {
     wake_ = Duration::max();
     for (const Parts& parts : std::exchange(waiting_, {})) unsent_ += peer_->Encode(parts);
   }
-  if (step == ZmtpClient::Step::kMessage) message_ = std::move(message);
+  std::size_t bytes = peer_->come();
+  for (const std::string& part : message) bytes += part.size();
+  const bool is_refused = step == ZmtpClient::Step::kRefused || !room_.Hold(bytes);
+  if (step == ZmtpClient::Step::kMessage && !is_refused) message_ = std::move(message);
   Write();
-  if (step != ZmtpClient::Step::kRefused) return;
+  if (!is_refused) return;
   was_refused_ = peer_->is_open();
   Lose();
 }
@@ -173,6 +176,7 @@ ClientConnection::Parts ClientConnection::Receive() {
   Read();
   if (!message_) return {};
   Parts parts = *std::exchange(message_, std::nullopt);
+  room_.Hold(0);
   if (state_ == State::kTalking) Advance();
   return parts;
 }
@@ -222,6 +226,7 @@ void ClientConnection::Lose() {
 void ClientConnection::Close() {
   if (fd_ >= 0) close(fd_);
   fd_ = -1;
+  if (!message_) room_.Hold(0);
   unsent_.clear();
   sent_ = 0;
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/live/client/large_messages.h"
 #include "bt_core/live/client/name_lookup.h"
 #include "bt_core/live/zmtp/zmtp_client.h"
 
@@ -76,6 +77,7 @@ class ClientConnection {
   std::string unsent_;
   std::size_t sent_ = 0;  // of unsent_
   std::optional<Parts> message_;
+  LargeMessages room_;  // of what comes, and of message_
   bool was_refused_ = false;
 };
 

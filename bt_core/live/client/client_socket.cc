@@ -99,7 +99,8 @@ ClientSocket::Event ClientSocket::Wait(Duration at_most) {
 
 void ClientSocket::OnGone() {
   if (asking_.was_refused()) {
-    problem_ = "the robot sent what is no message or is too large for one";
+    problem_ =
+        "the robot sent what is no message or is too large for one beside those of other robots";
   } else if (has_received_) {
     problem_ = "the connection is closed";
   } else {

@@ -35,6 +35,8 @@ class FrameReader {
   Result TakeBytes(std::size_t size, std::string_view& bytes);
   /// A frame that is longer than `limit` is refused as soon as its length is there.
   Result TakeFrame(std::size_t limit, std::uint8_t& flags, std::string& body);
+  /// Bytes of the frame that comes.
+  std::size_t come() const { return body_.size(); }
 
  private:
   std::string_view rest() const { return std::string_view(bytes_).substr(used_); }

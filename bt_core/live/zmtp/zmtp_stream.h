@@ -38,6 +38,9 @@ class ZmtpStream {
   /// The next whole message in what has arrived. Refused: hang up when the output is written.
   Step Next(groot2::Parts& message);
 
+  /// Bytes of the message that comes.
+  std::size_t come() const { return size_ + reader_.come(); }
+
   /// What the protocol itself has to say; never much. To be taken before anything is encoded: what
   /// is encrypted keeps its order.
   std::string TakeOutput() { return std::exchange(output_, {}); }
