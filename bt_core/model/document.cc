@@ -95,6 +95,40 @@ std::optional<std::size_t> FindOvercrowdedTag(std::string_view text) {
   return std::nullopt;
 }
 
+// Null if there is none. Elements are nested as deep as tinyxml2 allows, 98.
+const tinyxml2::XMLText* FirstText(const tinyxml2::XMLElement& parent) {
+  for (const auto* node = parent.FirstChild(); node; node = node->NextSibling()) {
+    if (node->ToText() != nullptr) return node->ToText();
+    if (const tinyxml2::XMLElement* const element = node->ToElement()) {
+      if (const tinyxml2::XMLText* const text = FirstText(*element)) return text;
+    }
+  }
+  return nullptr;
+}
+
+// Once in each tree, and beside the trees. What others keep below <root> is theirs.
+void WarnOfText(const tinyxml2::XMLElement& root, const char* start, const Document& document,
+                Diagnostics& diagnostics) {
+  const auto warn = [&](const tinyxml2::XMLText* found, const std::string& where) {
+    if (found == nullptr) return;
+    const auto at = static_cast<std::size_t>(found->Value() - start);
+    const std::string_view text = document.text();
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+    diagnostics.Warning(document.Location(static_cast<std::uint32_t>(begin)),
+                        "text in " + where + " is ignored",
+                        "a comment is written <!-- like this -->");
+  };
+  const tinyxml2::XMLText* beside = nullptr;
+  for (const auto* node = root.FirstChild(); node; node = node->NextSibling()) {
+    if (beside == nullptr) beside = node->ToText();
+    const tinyxml2::XMLElement* const element = node->ToElement();
+    if (element != nullptr && element->Name() == std::string_view("BehaviorTree")) {
+      warn(FirstText(*element), "a tree");
+    }
+  }
+  warn(beside, "<root>");
+}
+
 }  // namespace
 
 std::optional<Document> Document::FromText(std::string text, std::string file,
@@ -134,6 +168,9 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
     return std::nullopt;
   }
   document.WarnOutsideRoot(xml, start, diagnostics);
+  if (xml.RootElement()->Name() == std::string_view("root")) {
+    WarnOfText(*xml.RootElement(), start, document, diagnostics);
+  }
   WarnOfLaxXml(document, diagnostics);
   return document;
 }

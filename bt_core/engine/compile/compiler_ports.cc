@@ -145,7 +145,8 @@ SlotIndex PortBinder::BindLiteral(const Given& given) {
     problems_.Warning(given.site.document, given.offset, LostIn(given.port, given.text),
                       "write {key}");
   }
-  if (port.type != &TypeOf<std::string>() && HasBraces(given.text)) {
+  const bool is_json = given.text.compare(0, 5, "json:") == 0;
+  if (port.type != &TypeOf<std::string>() && HasBraces(given.text) && !is_json) {
     problems_.Warning(given.site.document, given.offset,
                       Quoted(given.text) + " is taken as it stands",
                       "a key is the whole text, as in \"{key}\", or none of it");

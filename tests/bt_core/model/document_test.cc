@@ -314,6 +314,17 @@ TEST(Document, WarnsOfWhatIsOutsideOfTheRoot) {
             "t.xml:3:2: warning: second root element <b> is ignored\n");
 }
 
+TEST(Document, WarnsOfTextInTreesOnceInEach) {
+  const Loaded loaded = Load(
+      "<root>stray<BehaviorTree><A>\n  one</A>two</BehaviorTree>\n<BehaviorTree>\n<![CDATA[x]]>"
+      "</BehaviorTree>\n<TreeNodesModel><Action>described</Action></TreeNodesModel></root>");
+  const std::string hint = " (a comment is written <!-- like this -->)\n";
+  EXPECT_EQ(loaded.diagnostics.ToString(),
+            "t.xml:2:3: warning: text in a tree is ignored" + hint +
+                "t.xml:4:10: warning: text in a tree is ignored" + hint +
+                "t.xml:1:7: warning: text in <root> is ignored" + hint);
+}
+
 TEST(Document, AnEditedDocumentHasTheSameName) {
   Diagnostics diagnostics;
   const auto document = Load("<a><b/></a>").document;
