@@ -7,7 +7,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 # Packed quickly: how small they are is not what is tested.
-run(cpack --config ${BUILD}/CPackConfig.cmake -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip
+run(cpack --config ${BUILD}/CPackConfig.cmake -D CPACK_DEBIAN_COMPRESSION_TYPE=zstd
   -B ${WORK}/packages)
 set(expected coppice libcoppice-dev coppice-btcpp-compat)
 if(EDITOR)
