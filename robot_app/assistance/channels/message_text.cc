@@ -1,10 +1,9 @@
 #include "robot_app/assistance/channels/message_text.h"
 
-#include <sodium.h>
-
 #include <algorithm>
 
 #include "bt_core/model/utf8.h"
+#include "robot_app/common/web/base64.h"
 
 namespace coppice::robot::assistance {
 namespace {
@@ -34,14 +33,6 @@ std::string ValidUtf8(std::string_view text) {
   }
 }
 
-std::string Base64(std::string_view bytes) {
-  std::string text(sodium_base64_encoded_len(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                    bytes.size(), sodium_base64_VARIANT_ORIGINAL);
-  text.pop_back();  // the zero at the end
-  return text;
-}
-
 }  // namespace
 
 std::string MessageText(std::string_view text) {
@@ -64,7 +55,7 @@ std::string MailHeader(std::string_view text) {
   for (std::string_view rest = line; !rest.empty();) {
     const std::string_view part = Beginning(rest, kBytesPerWord);
     rest.remove_prefix(part.size());
-    words += (words.empty() ? "=?UTF-8?B?" : " =?UTF-8?B?") + Base64(part) + "?=";
+    words += (words.empty() ? "=?UTF-8?B?" : " =?UTF-8?B?") + ToBase64(part) + "?=";
   }
   return words;
 }

@@ -73,14 +73,24 @@ Answer Dialogue::Hear(std::string_view text, WallTime now) {
   return Hear(std::vector<Alternative>{{std::string(text), 1}}, now).answer;
 }
 
-HeardAnswer Dialogue::Hear(const std::vector<Alternative>& alternatives, WallTime now) {
+std::vector<Meaning> Dialogue::MeaningsOf(const std::vector<Alternative>& alternatives,
+                                          const std::optional<ToldMeaning>& told) const {
+  if (told && !alternatives.empty()) {
+    const auto meant = CheckedMeaning(*told, files_.intents, understander());
+    if (meant) return {{*meant, alternatives.front().text, 1}};
+  }
+  return LikelyMeanings(understander(), alternatives);
+}
+
+HeardAnswer Dialogue::Hear(const std::vector<Alternative>& alternatives, WallTime now,
+                           const std::optional<ToldMeaning>& told) {
   try {
     Refresh();
     if (question_ && question_->is_open(now)) {
       if (auto heard = AnswerQuestion(alternatives, now)) return *std::move(heard);
     }
     question_.reset();
-    return AnswerNew(LikelyMeanings(understander(), alternatives), now);
+    return AnswerNew(MeaningsOf(alternatives, told), now);
   } catch (const std::runtime_error&) {
     return {{AnswerMood::kUnknown, texts().Fill("not_now"), {}, false}, "", 0};
   }

@@ -23,6 +23,7 @@
 #include "robot_app/knowledge/answers/answer.h"
 #include "robot_app/knowledge/answers/open_question.h"
 #include "robot_app/knowledge/answers/touch_menu.h"
+#include "robot_app/knowledge/understanding/told_meaning.h"
 
 namespace coppice::robot::knowledge {
 
@@ -50,8 +51,10 @@ class Dialogue {
 
   /// Answers what somebody has said or typed. A damaged database is an answer, too: not now.
   Answer Hear(std::string_view text, WallTime now);
-  /// Answers one of the texts that somebody may have said.
-  HeardAnswer Hear(const std::vector<Alternative>& alternatives, WallTime now);
+  /// Answers one of the texts that somebody may have said. `told`: what a service says was meant by
+  /// the likeliest one; if it fits, it goes before the own understanding.
+  HeardAnswer Hear(const std::vector<Alternative>& alternatives, WallTime now,
+                   const std::optional<ToldMeaning>& told = std::nullopt);
   /// Answers what was pressed. An open question is forgotten, unless yes or no answers it.
   Answer Press(const Request& request, WallTime now);
   /// The buttons behind a path of touch_menu.h.
@@ -81,6 +84,8 @@ class Dialogue {
   std::optional<HeardAnswer> AnswerQuestion(const std::vector<Alternative>& alternatives,
                                             WallTime now);
   HeardAnswer AnswerNew(const std::vector<Meaning>& meanings, WallTime now);
+  std::vector<Meaning> MeaningsOf(const std::vector<Alternative>& alternatives,
+                                  const std::optional<ToldMeaning>& told) const;
   Answer AnswerUnderstanding(const Understanding& heard, std::string_view text, WallTime now);
   Answer Do(const Request& request, WallTime now);
   Answer Refuse(const Understanding& heard, std::string_view text, WallTime now);

@@ -1,7 +1,10 @@
 #include "robot_app/speech/ear/listener.h"
 
+#include <algorithm>
+
 #include "robot_app/knowledge/store/folded_text.h"
 #include "robot_app/knowledge/store/queries.h"
+#include "robot_app/speech/endpoint/understanding_service.h"
 
 namespace coppice::robot::speech {
 namespace {
@@ -9,6 +12,9 @@ namespace {
 using knowledge::Language;
 
 constexpr std::size_t kMostTasks = 3;
+// All services together, then it goes on offline.
+constexpr std::chrono::milliseconds kLongest{1800};
+constexpr std::chrono::milliseconds kShortest{200};  // worth asking at all
 
 }  // namespace
 
@@ -33,7 +39,8 @@ void Listener::Listen(Utterance utterance, Language language, std::string who,
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!tasks_.empty() && !tasks_.back().utterance.has_ended) tasks_.pop_back();
     if (tasks_.size() >= kMostTasks) tasks_.pop_front();
-    tasks_.push_back({std::move(utterance), {{}, language, std::move(who)}, std::move(expected)});
+    tasks_.push_back(
+        {std::move(utterance), {{}, language, std::move(who), {}}, std::move(expected)});
   }
   changed_.notify_all();
 }
@@ -48,7 +55,9 @@ void Listener::Run() {
     tasks_.pop_front();
     lock.unlock();
     if (task.utterance.has_ended) {
+      const Instant begin = std::chrono::steady_clock::now();
       task.heard.alternatives = Recognize(task);
+      task.heard.told = AskWhatIsMeant(task.heard, begin);
       on_heard_(task.heard);
     } else {
       Foresee(std::move(task));
@@ -85,6 +94,23 @@ std::vector<knowledge::Alternative> Listener::Recognize(const Task& task) {
   // Nobody has an acoustic model of another language in Debian.
   if (language != Language::kEnglish) return {};
   return RecognizeOffline(task);
+}
+
+std::optional<knowledge::ToldMeaning> Listener::AskWhatIsMeant(const HeardUtterance& heard,
+                                                               Instant begin) {
+  SpeechService service = settings_.understanding;
+  const auto& texts = heard.alternatives;
+  const bool is_sure = !texts.empty() && texts.front().chance >= knowledge::kSureEnough;
+  const auto left = kLongest - std::chrono::duration_cast<std::chrono::milliseconds>(
+                                   std::chrono::steady_clock::now() - begin);
+  service.timeout = std::min(service.timeout, left);
+  const bool may_ask = !service.url.empty() && understanding_pause_.may_be_asked();
+  if (!may_ask || !is_sure || left < kShortest || !LoadLanguage()) return std::nullopt;
+  auto told = AskMeaning(service, texts.front().text, heard.language, *intents_);
+  if (told) return *std::move(told);
+  understanding_pause_.Failed();
+  on_problem_("the understanding of the service: " + told.problem());
+  return std::nullopt;
 }
 
 // Who was asked something may also ask something new.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "robot_app/knowledge/store/database.h"
+#include "robot_app/knowledge/understanding/told_meaning.h"
 #include "robot_app/speech/ear/recognizer.h"
 #include "robot_app/speech/ear/voice_activity.h"
 #include "robot_app/speech/endpoint/service_pause.h"
@@ -27,6 +28,7 @@ struct ListenerSettings {
   std::string language_folder;        ///< of intents.yaml
   std::string model = kEnglishModel;  ///< of pocketsphinx
   SpeechService service;
+  SpeechService understanding;  ///< of what is surely said; no url: the robot itself understands
   bool prepares =
       false;  ///< makes the grammar at the start, so that the first does not wait for it
 };
@@ -35,6 +37,7 @@ struct HeardUtterance {
   std::vector<knowledge::Alternative> alternatives;  ///< none: nothing was recognized
   knowledge::Language language = knowledge::Language::kEnglish;
   std::string who;
+  std::optional<knowledge::ToldMeaning> told;  ///< by the service for understanding
 };
 
 class Listener {
@@ -55,6 +58,7 @@ class Listener {
               std::vector<std::string> expected = {});
 
  private:
+  using Instant = std::chrono::steady_clock::time_point;
   struct Task {
     Utterance utterance;
     HeardUtterance heard;
@@ -67,6 +71,7 @@ class Listener {
   void Foresee(Task task);
   bool IsForeseen(const Task& task) const;
   bool MayAskService() const;
+  std::optional<knowledge::ToldMeaning> AskWhatIsMeant(const HeardUtterance& heard, Instant begin);
   bool Prepare();
   Outcome Refresh();
   Outcome LoadLanguage();
@@ -74,7 +79,7 @@ class Listener {
   const ListenerSettings settings_;
   const OnHeard on_heard_;
   const OnProblem on_problem_;
-  ServicePause pause_;
+  ServicePause pause_, understanding_pause_;
   std::optional<knowledge::Database> database_;
   std::int64_t version_ = 0;  // of the names in the recognizer
   std::optional<knowledge::IntentTable> intents_;

@@ -1,5 +1,5 @@
-// Speech by services of others that speak the interface of OpenAI: better ears and voices than the
-// offline ones, where a network is. Whoever uses them must be able to go on without: a service that
+// Speech by services of others that speak the interface of OpenAI, or to transcribe that of Google:
+// better ears and voices than the offline ones, where a network is. Whoever uses them must be able to go on without: a service that
 // is slow, absent or talks nonsense is a problem within the timeout.
 //
 //   SpeechService service;
@@ -10,6 +10,7 @@
 #define COPPICE_ROBOT_APP_SPEECH_ENDPOINT_SPEECH_SERVICE_H_
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "bt_core/base/outcome.h"
@@ -17,15 +18,18 @@
 
 namespace coppice::robot::speech {
 
+enum class ServiceInterface : std::uint8_t { kOpenAi, kGoogle };
+
 struct SpeechService {
+  ServiceInterface interface = ServiceInterface::kOpenAi;  ///< of Transcribe
   std::string url;    ///< http:// or https://, without /v1; empty: there is none
-  std::string key;    ///< sent as the bearer; from the environment, never from a file
+  std::string key;    ///< sent in the header; from the environment, never from a file
   std::string model;  ///< what the service calls it
   std::string voice;  ///< of Synthesized
   std::chrono::milliseconds timeout{2000};
 };
 
-/// POST /v1/audio/transcriptions: the text of a sound, at most 1000 bytes. Certificates are
+/// POST /v1/audio/transcriptions or /v1/speech:recognize: the text of a sound, at most 1000 bytes. Certificates are
 /// checked, no redirection is followed, a problem tells nothing of URL and key. Blocks; any thread.
 Expected<std::string> Transcribe(const SpeechService& service, const Sound& sound,
                                  const std::string& language);

@@ -52,7 +52,8 @@ void Conversation::set_language(knowledge::Language language, WallTime now) {
 
 coppice_msgs::Answer Conversation::Answer(const coppice_msgs::Heard& heard,
                                           const std::vector<knowledge::Alternative>& alternatives,
-                                          WallTime now) {
+                                          WallTime now,
+                                          const std::optional<knowledge::ToldMeaning>& told) {
   dialogue_->set_language(language(now));
   if (heard.who != who_ || now - last_ > kSilence) dialogue_->Forget();
   who_ = heard.who;
@@ -60,7 +61,7 @@ coppice_msgs::Answer Conversation::Answer(const coppice_msgs::Heard& heard,
   if (const auto language = knowledge::LanguageOf(heard.language)) {
     dialogue_->set_language(*language);
   }
-  const auto [answer, text, share] = dialogue_->Hear(alternatives, now);
+  const auto [answer, text, share] = dialogue_->Hear(alternatives, now, told);
   coppice_msgs::Answer message;
   message.heard = heard;
   message.heard.text = text;

@@ -6,6 +6,7 @@
 #include <coppice_msgs/Answer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +27,8 @@ class Conversation {
   /// answers and how sure that is; no text if it was not understood. `heard.language` may be empty:
   /// the one that is spoken now.
   coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard,
-                              const std::vector<knowledge::Alternative>& alternatives,
-                              WallTime now);
+                              const std::vector<knowledge::Alternative>& alternatives, WallTime now,
+                              const std::optional<knowledge::ToldMeaning>& told = std::nullopt);
 
   /// That is spoken with who has said nothing yet.
   void set_home_language(knowledge::Language language) { home_language_ = language; }

@@ -44,6 +44,10 @@ Expected<std::unique_ptr<SpeechNode>> SpeechNode::Make(SpeechSettings settings) 
   if (!knowledge::LanguageOf(settings.language)) {
     return Problem{"~language must be en or de, not \"" + settings.language + "\""};
   }
+  if (settings.interface != "openai" && settings.interface != "google") {
+    return Problem{"~transcription_interface must be openai or google, not \"" +
+                   settings.interface + "\""};
+  }
   if (!settings.places.empty()) {
     Diagnostics diagnostics;
     auto map = TopologicalMap::Load(settings.places, diagnostics);
@@ -89,7 +93,7 @@ void SpeechNode::Serve() {
   services_.push_back(node_.advertiseService("/speech/hear_file", &SpeechNode::OnHearFile, this));
   listener_ = std::make_unique<Listener>(
       ListenerSettings{settings_.knowledge, Shipped(COPPICE_LANGUAGE_FOLDER), kEnglishModel,
-                       settings_.transcription, !parts_.device.empty()},
+                       settings_.transcription, settings_.understanding, !parts_.device.empty()},
       [this](const HeardUtterance& heard) { SpinnerTask::Post([this, heard] { OnHeard(heard); }); },
       Warn);
   if (parts_.device.empty()) return;
@@ -133,13 +137,14 @@ void SpeechNode::OnHeard(const HeardUtterance& utterance) {
   heard.language = Code(utterance.language);
   heard.source = coppice_msgs::Heard::MICROPHONE;
   heard.who = utterance.who;
-  Answer(heard, utterance.alternatives, settings_.answers_aloud);
+  Answer(heard, utterance.alternatives, settings_.answers_aloud, utterance.told);
 }
 
 coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard,
                                         const std::vector<knowledge::Alternative>& alternatives,
-                                        bool aloud) {
-  coppice_msgs::Answer answer = parts_.conversation->Answer(heard, alternatives, WallNow());
+                                        bool aloud,
+                                        const std::optional<knowledge::ToldMeaning>& told) {
+  coppice_msgs::Answer answer = parts_.conversation->Answer(heard, alternatives, WallNow(), told);
   heard_.publish(answer.heard);
   answer.header.stamp = ros::Time::now();
   answer_.publish(answer);

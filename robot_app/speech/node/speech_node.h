@@ -42,7 +42,8 @@ class SpeechNode {
   void Listen(Utterance utterance, const std::string& who);
   void OnHeard(const HeardUtterance& utterance);
   coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard,
-                              const std::vector<knowledge::Alternative>& alternatives, bool aloud);
+                              const std::vector<knowledge::Alternative>& alternatives, bool aloud,
+                              const std::optional<knowledge::ToldMeaning>& told = std::nullopt);
   void OnAnswer(const ros::MessageEvent<coppice_msgs::Answer const>& event);
 
   bool OnAsk(coppice_msgs::Ask::Request& request, coppice_msgs::Ask::Response& response);

@@ -23,6 +23,7 @@ std::string Secret(const char* name) {
 Parameters ParametersOf(SpeechSettings& settings) {
   SpeechService& mouth = settings.voices.service;
   SpeechService& ear = settings.transcription;
+  SpeechService& mind = settings.understanding;
   ActivitySettings& activity = settings.ear.activity;
   return {{"knowledge", &settings.knowledge, "database of what it knows; none: only speaks"},
           {"site", &settings.site, "a folder, or sample: fills it if it is empty"},
@@ -44,7 +45,10 @@ Parameters ParametersOf(SpeechSettings& settings) {
           {"speech_model", &mouth.model, "what the service calls it"},
           {"speech_voice", &mouth.voice, "what the service calls it"},
           {"transcription_url", &ear.url, "of a service for the ear; none: pocketsphinx"},
+          {"transcription_interface", &settings.interface, "of that service: openai or google"},
           {"transcription_model", &ear.model, "what the service calls it"},
+          {"understanding_url", &mind.url, "of a service that understands; none: it does itself"},
+          {"understanding_model", &mind.model, "what the service calls it"},
           {"service_timeout", &settings.service_timeout, 0.1, 1.8, "then it goes on offline [s]"}};
 }
 
@@ -52,8 +56,13 @@ void Complete(SpeechSettings& settings) {
   const auto timeout = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::duration<double>(settings.service_timeout));
   settings.voices.service.timeout = settings.transcription.timeout = timeout;
+  settings.understanding.timeout = timeout;
+  const bool is_google = settings.interface == "google";
+  settings.transcription.interface =
+      is_google ? ServiceInterface::kGoogle : ServiceInterface::kOpenAi;
   settings.voices.service.key = Secret("COPPICE_SPEECH_KEY");
   settings.transcription.key = Secret("COPPICE_TRANSCRIPTION_KEY");
+  settings.understanding.key = Secret("COPPICE_UNDERSTANDING_KEY");
 }
 
 Expected<std::unique_ptr<SoundOutput>> MakeOutput(const std::string& output, Clock& clock) {

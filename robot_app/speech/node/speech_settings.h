@@ -26,8 +26,9 @@ struct SpeechSettings {
   double least_confidence = knowledge::kSureEnough;  ///< that it was meant; else it asks back
   EarSettings ear;
   VoiceSettings voices;
-  SpeechService transcription;
-  double service_timeout = 1.5;  ///< s
+  SpeechService transcription, understanding;
+  std::string interface = "openai";  ///< of the transcription: openai or google
+  double service_timeout = 1.5;      ///< s
 };
 
 Parameters ParametersOf(SpeechSettings& settings);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bt_core/base/json_library.h"
-#include "robot_app/storage/messages/base64.h"
+#include "robot_app/common/web/base64.h"
 
 namespace coppice::robot::storage {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "bt_core/base/json.h"
 #include "bt_core/model/utf8.h"
-#include "robot_app/storage/messages/base64.h"
+#include "robot_app/common/web/base64.h"
 
 namespace coppice::robot::storage {
 namespace {

@@ -109,6 +109,15 @@ TEST_F(DialogueTest, WhatWasHardlyHeardIsNeitherActedOnNorNoted) {
   EXPECT_EQ(HearOneOf({}).answer.text, refused.answer.text);
 }
 
+TEST_F(DialogueTest, WhatAServiceHasUnderstoodGoesBeforeIfItFits) {
+  const std::vector<Alternative> said = {{"i would love to read a book", 1}};
+  const ToldMeaning library{Intent::kFindPlace, {{Kind::kPlace, "library"}}};
+  EXPECT_EQ(dialogue_->Hear(said, now_, library).answer.place, "library");
+  const ToldMeaning moon{Intent::kFindPlace, {{Kind::kPlace, "the moon"}}};
+  EXPECT_EQ(dialogue_->Hear({{"where is the copy shop", 1}}, now_, moon).answer.place, "copy_shop")
+      << "else the own understanding does";
+}
+
 TEST_F(DialogueTest, AYesToTwoIsAskedAgain) {
   const std::string question = Ask("office of Weber");
   EXPECT_EQ(Ask("yes"), question);

@@ -79,6 +79,35 @@ TEST_F(ListenerTest, HearsWithTheServiceWhereItAnswers) {
   EXPECT_EQ(TextOf(Heard(Settings(server.url()), Language::kGerman)), "Wo ist die Mensa?");
 }
 
+TEST_F(ListenerTest, WhatWasSaidForSureIsUnderstoodByTheServiceForIt) {
+  HttpServer ear([](const auto&) { return "{\"text\": \"Bring mich in die Bücherei\"}"; });
+  HttpServer mind([](const auto&) {
+    return R"({"choices": [{"message": {"content": "{\"intent\": \"guide\", \"slots\": []}"}}]})";
+  });
+  ListenerSettings settings = Settings(ear.url());
+  settings.understanding.url = mind.url();
+  const HeardUtterance heard = Heard(settings, Language::kGerman);
+  ASSERT_TRUE(heard.told) << problem_;
+  EXPECT_EQ(heard.told->intent, knowledge::Intent::kGuide);
+}
+
+TEST_F(ListenerTest, AServiceForUnderstandingThatIsSlowIsGoneWithoutInTime) {
+  HttpServer ear([](const auto&) { return "{\"text\": \"where is the library\"}"; });
+  assistance::LocalServer mind([](assistance::LocalServer::Socket& socket) {
+    char byte = 0;
+    boost::system::error_code gone;
+    while (!gone) socket.read_some(boost::asio::buffer(&byte, 1), gone);  // and no answer
+  });
+  ListenerSettings settings = Settings(ear.url());
+  settings.understanding.url = "http://127.0.0.1:" + mind.port();
+  const auto begin = std::chrono::steady_clock::now();
+  const HeardUtterance heard = Heard(settings);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(2500));
+  EXPECT_FALSE(heard.told);
+  EXPECT_EQ(TextOf(heard), "where is the library");
+  EXPECT_NE(problem_.find("the understanding of the service"), std::string::npos);
+}
+
 TEST_F(ListenerTest, FallsBackWhereTheServiceTalksNonsense) {
   HttpServer server([](const auto&) { return "<html>"; });
   EXPECT_EQ(TextOf(Heard(Settings(server.url()))), "where is the reading room");

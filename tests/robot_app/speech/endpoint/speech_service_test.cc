@@ -47,6 +47,46 @@ TEST(SpeechService, SendsAFormWithFileModelAndLanguage) {
   }
 }
 
+SpeechService GoogleAt(const std::string& url) {
+  SpeechService service = At(url);
+  service.interface = ServiceInterface::kGoogle;
+  service.model = "latest_short";
+  return service;
+}
+
+TEST(SpeechService, TranscribesASoundWithTheInterfaceOfGoogle) {
+  HttpServer server(Says(
+      "{\"results\": [{\"alternatives\": [{\"transcript\": \"wo ist\", \"confidence\": 0.9},"
+      " {\"transcript\": \"wo isst\"}]}, {\"alternatives\": [{\"transcript\": \" die Mensa\"}]}]}"));
+  const auto text = Transcribe(GoogleAt(server.url()), kSecond, "de");
+  ASSERT_TRUE(text) << text.problem();
+  EXPECT_EQ(*text, "wo ist die Mensa");
+  const auto request = server.requests().at(0);
+  EXPECT_EQ(request.target(), "/v1/speech:recognize");
+  EXPECT_EQ(request["X-Goog-Api-Key"], "sesame-4711");
+  EXPECT_EQ(request["Authorization"], "");
+  for (const char* part :
+       {"\"encoding\":\"LINEAR16\"", "\"sampleRateHertz\":16000", "\"languageCode\":\"de-DE\"",
+        "\"model\":\"latest_short\"", "\"content\":\"ZABkAGQA"}) {
+    EXPECT_THAT(request.body(), HasSubstr(part));
+  }
+}
+
+TEST(SpeechService, WhereGoogleHearsNobodyNobodySpoke) {
+  HttpServer server(Says("{}"));
+  const auto text = Transcribe(GoogleAt(server.url()), kSecond, "en");
+  ASSERT_TRUE(text) << text.problem();
+  EXPECT_EQ(*text, "");
+}
+
+TEST(SpeechService, WhatGoogleWouldNotSayIsAProblem) {
+  for (const char* reply : {"[]", "7", "{\"results\": [{}]}", "{\"results\": [[[]]]}", "<html>",
+                            "{\"results\": [{\"alternatives\": [{\"transcript\": 7}]}]}"}) {
+    HttpServer server(Says(reply));
+    EXPECT_FALSE(Transcribe(GoogleAt(server.url()), kSecond, "en")) << reply;
+  }
+}
+
 TEST(SpeechService, SpeaksAText) {
   HttpServer server(Says(WavOf(kSecond)));
   const auto sound = Synthesized(At(server.url()), "Follow \"me\".");

@@ -1,8 +1,8 @@
-#include "robot_app/storage/messages/base64.h"
+#include "robot_app/common/web/base64.h"
 
 #include <sodium.h>
 
-namespace coppice::robot::storage {
+namespace coppice::robot {
 namespace {
 
 constexpr int kVariant = sodium_base64_VARIANT_ORIGINAL;
@@ -28,4 +28,4 @@ std::optional<std::string> FromBase64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace coppice::robot::storage
+}  // namespace coppice::robot
