@@ -1,6 +1,7 @@
 // Speech by services of others that speak the interface of OpenAI, or to transcribe that of Google:
-// better ears and voices than the offline ones, where a network is. Whoever uses them must be able to go on without: a service that
-// is slow, absent or talks nonsense is a problem within the timeout.
+// better ears and voices than the offline ones, where a network is. Whoever uses them must be able
+// to go on without: a service that is slow, absent or talks nonsense is a problem within the
+// timeout.
 //
 //   SpeechService service;
 //   service.url = "https://speech.example.org";
@@ -29,8 +30,9 @@ struct SpeechService {
   std::chrono::milliseconds timeout{2000};
 };
 
-/// POST /v1/audio/transcriptions or /v1/speech:recognize: the text of a sound, at most 1000 bytes. Certificates are
-/// checked, no redirection is followed, a problem tells nothing of URL and key. Blocks; any thread.
+/// POST /v1/audio/transcriptions or /v1/speech:recognize: the text of a sound, at most 1000 bytes.
+/// Certificates are checked, no redirection is followed, a problem tells nothing of URL and key.
+/// Blocks; any thread.
 Expected<std::string> Transcribe(const SpeechService& service, const Sound& sound,
                                  const std::string& language);
 

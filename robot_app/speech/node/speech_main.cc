@@ -15,7 +15,8 @@ constexpr char kHelp[] =
     "  services    /speech/ask (a question in writing), /speech/listen (push to talk),\n"
     "              /speech/hear_file (a WAV file instead of the microphone)\n"
     "  publishes   /speech (what is being said), /speech/heard, /speech/answer, /speech/state\n"
-    "The keys of services are read from COPPICE_SPEECH_KEY and COPPICE_TRANSCRIPTION_KEY.\n"
+    "The keys of services are read from COPPICE_SPEECH_KEY, COPPICE_TRANSCRIPTION_KEY and\n"
+    "COPPICE_UNDERSTANDING_KEY.\n"
     "Where there is no sound card, speech takes its time on the clock of ROS.\n";
 
 }  // namespace

@@ -199,6 +199,16 @@ TEST_F(SpeechNodeTest, ARecordingIsHeardUnderstoodAndAnsweredAloud) {
   EXPECT_TRUE(Eventually([&] { return ReadWav(folder_.Path("said/0001.wav")).ok(); }));
 }
 
+TEST_F(SpeechNodeTest, SmallTalkIsHeardAndAnsweredAloud) {
+  Latest<coppice_msgs::Answer> answer(node_, "/speech/answer");
+  ASSERT_TRUE(Eventually([&] { return answer.is_connected(); }));
+  SpeakTo("who built you", "");
+  ASSERT_TRUE(Eventually([&] { return answer.get() != nullptr; }));
+  EXPECT_EQ(answer.get()->intent, "small_talk") << answer.get()->heard.text;
+  EXPECT_EQ(answer.get()->slots, std::vector<std::string>{"topic=maker"});
+  EXPECT_TRUE(Eventually([&] { return ReadWav(folder_.Path("said/0001.wav")).ok(); }));
+}
+
 TEST_F(SpeechNodeTest, WhileItSpeaksItHearsNothing) {
   Latest<coppice_msgs::SpeechState> state(node_, "/speech/state");
   Send(Goal("This is long enough to be heard by an ear that is open meanwhile."));
