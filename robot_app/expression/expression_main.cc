@@ -21,6 +21,7 @@
 #include "robot_app/common/shipped.h"
 #include "robot_app/expression/expression_table.h"
 #include "robot_app/expression/face_painter.h"
+#include "robot_app/expression/light_markers.h"
 #include "robot_app/expression/limbs.h"
 #include "robot_app/expression/wishes.h"
 
@@ -32,7 +33,7 @@ constexpr char kHelp[] =
     "  subscribes  /expression (what trees and tablet want), /speech/state (listening),\n"
     "              /speech/answer (sad if there is none), /assistance/requests (asking for help)\n"
     "  publishes   /face/image (64 x 32 pixels), /face/lights, /joint_states and /tf (ears, arms),\n"
-    "              /face/expression (the one that is shown)\n"
+    "              /face/expression (the one that is shown), /face/light_markers (for RViz)\n"
     "Animations run in wall time.\n";
 
 constexpr double kPeriod = 0.05;      // s
@@ -81,6 +82,7 @@ class Devices {
       : limbs_(std::move(limbs)),
         image_(node.advertise<sensor_msgs::Image>("/face/image", 2, true)),
         lights_(node.advertise<coppice_msgs::Lights>("/face/lights", 2, true)),
+        markers_(node.advertise<visualization_msgs::MarkerArray>("/face/light_markers", 2, true)),
         joints_(node.advertise<sensor_msgs::JointState>("/joint_states", 2)),
         tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 2)) {
     for (const JointOnRobot& joint : limbs_.joints()) {
@@ -112,6 +114,7 @@ class Devices {
     message.arms = ToMessage(lights.arms);
     message.ears = ToMessage(lights.ears);
     lights_.publish(message);
+    markers_.publish(LightMarkers(lights, limbs_.joints()));
   }
 
   // Not twice for the same time, which tf refuses: slower than real time the clock stands between.
@@ -148,7 +151,7 @@ class Devices {
   ros::Time published_;               // 0: ROS time has not begun
   const FaceFrame* shown_ = nullptr;
   LightStep lit_{0, {}, {}};
-  ros::Publisher image_, lights_, joints_, tf_;
+  ros::Publisher image_, lights_, markers_, joints_, tf_;
 };
 
 class ExpressionNode {

@@ -8,6 +8,7 @@
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/String.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
 #include <functional>
@@ -55,6 +56,7 @@ class ExpressionNodeTest : public testing::Test {
   Latest<std_msgs::String> shown_{node_, "/face/expression"};
   Latest<sensor_msgs::Image> image_{node_, "/face/image"};
   Latest<coppice_msgs::Lights> lights_{node_, "/face/lights"};
+  Latest<visualization_msgs::MarkerArray> strips_{node_, "/face/light_markers"};
   Latest<sensor_msgs::JointState> joints_{node_, "/joint_states"};
   ChildProcess program_{{BinaryFolder() + "/bin/coppice-expression"},
                         processes::Temporary("expression.log")};
@@ -75,6 +77,20 @@ TEST_F(ExpressionNodeTest, ListensInGreenWithEarsForward) {
   EXPECT_TRUE(EarsAre([](double angle) { return angle > 1; }));
   EXPECT_TRUE(Eventually([&] { return lights_.get() && lights_.get()->ears.g > 0.3; }));
   EXPECT_EQ(lights_.get()->ears.r, 0);
+}
+
+TEST_F(ExpressionNodeTest, DrawsTheStripsOfAllLimbsForRviz) {
+  coppice_msgs::SpeechState state;
+  state.hearing = true;
+  ASSERT_TRUE(Leads(speech_, state, "LISTENING"));
+  EXPECT_TRUE(Eventually([&] {
+    const auto strips = strips_.get();
+    return strips && strips->markers.size() == 4 && strips->markers[0].color.g > 0.3;
+  }));
+  for (const auto& strip : strips_.get()->markers) {
+    EXPECT_EQ(strip.pose.position.y > 0, strip.header.frame_id.find("left") == 0)
+        << strip.header.frame_id;
+  }
 }
 
 TEST_F(ExpressionNodeTest, LowersItsEarsWhenItCannotAnswer) {
