@@ -1,5 +1,7 @@
 #include "editor/scene/notes.h"
 
+#include <algorithm>
+#include <cctype>
 #include <string_view>
 
 namespace coppice::editor {
@@ -18,8 +20,15 @@ bool EndsLine(std::string_view text, std::size_t offset) {
   return next == std::string_view::npos || text[next] == '\n' || text[next] == '\r';
 }
 
+// Groot 1 draws a line of slashes between trees.
+bool SaysSomething(std::string_view comment) {
+  return std::any_of(comment.begin(), comment.end(),
+                     [](unsigned char c) { return c >= 0x80 || std::isalnum(c) != 0; });
+}
+
 // Adds the words of a comment.
 void AddWords(std::string_view comment, std::string& note) {
+  if (!SaysSomething(comment)) return;
   for (std::size_t i = 0; i < comment.size(); ++i) {
     if (!IsBlank(comment[i])) {
       note += comment[i];

@@ -2,7 +2,7 @@
 //
 // A comment is about the element that follows it; behind an element on the same line it is about
 // that one, and behind the last child about the last child. What stands before a <BehaviorTree> is
-// about its root.
+// about its root. What has neither letter nor digit is a line drawn between trees, no note.
 #ifndef COPPICE_EDITOR_SCENE_NOTES_H_
 #define COPPICE_EDITOR_SCENE_NOTES_H_
 

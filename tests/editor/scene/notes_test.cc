@@ -45,5 +45,11 @@ TEST(Notes, BeforeATreeAreAboutItsRoot) {
   EXPECT_EQ(BuildScene(forest, 0, NodeModels()).nodes[0].note, "the round");
 }
 
+TEST(Notes, ALineOfSlashesIsNone) {
+  EXPECT_EQ(Note("<A>\n<!-- ////////// -->\n<B/></A>", "1.1"), "");
+  EXPECT_EQ(Note("<A>\n<!-- of B -->\n<!-- ========= -->\n<B/></A>", "1.1"), "of B");
+  EXPECT_EQ(Note("<A>\n<!-- ä -->\n<B/></A>", "1.1"), "ä");
+}
+
 }  // namespace
 }  // namespace coppice::editor
