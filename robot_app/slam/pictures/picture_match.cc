@@ -14,12 +14,34 @@ namespace {
 constexpr int kLeastPairs = 8;
 constexpr int kDraws = 200;  // of RANSAC
 constexpr double kCertain = 0.999;
+constexpr int kRefined = 3;
 
 // The old base_link as the new lens sees it.
 struct Perspective {
   cv::Mat rotation, translation;
   std::vector<int> agree;
 };
+
+// Fits the pose to all that agree with it, and looks which agree then: a pose of four pairs that
+// was drawn is a little off, and so are some of those that it is compared with.
+void Refine(const std::vector<cv::Point3d>& points, const std::vector<cv::Point2d>& pixels,
+            const cv::Mat& camera, double most_off, Perspective& found) {
+  std::vector<cv::Point3d> best_points;
+  std::vector<cv::Point2d> best_pixels, seen;
+  for (const int i : found.agree) {
+    best_points.push_back(points[static_cast<std::size_t>(i)]);
+    best_pixels.push_back(pixels[static_cast<std::size_t>(i)]);
+  }
+  cv::solvePnPRefineLM(best_points, best_pixels, camera, cv::noArray(), found.rotation,
+                       found.translation);
+  cv::projectPoints(points, found.rotation, found.translation, camera, cv::noArray(), seen);
+  std::vector<int> agree;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const cv::Point2d off = seen[i] - pixels[i];
+    if (std::hypot(off.x, off.y) <= most_off) agree.push_back(static_cast<int>(i));
+  }
+  if (agree.size() >= found.agree.size()) found.agree = std::move(agree);
+}
 
 std::optional<Perspective> Solve(const std::vector<cv::Point3d>& points,
                                  const std::vector<cv::Point2d>& pixels, const Lens& lens,
@@ -34,14 +56,7 @@ std::optional<Perspective> Solve(const std::vector<cv::Point3d>& points,
       static_cast<int>(found.agree.size()) < kLeastPairs) {
     return std::nullopt;
   }
-  std::vector<cv::Point3d> best_points;
-  std::vector<cv::Point2d> best_pixels;
-  for (const int i : found.agree) {
-    best_points.push_back(points[static_cast<std::size_t>(i)]);
-    best_pixels.push_back(pixels[static_cast<std::size_t>(i)]);
-  }
-  cv::solvePnPRefineLM(best_points, best_pixels, camera, cv::noArray(), found.rotation,
-                       found.translation);
+  for (int i = 0; i < kRefined; ++i) Refine(points, pixels, camera, most_off, found);
   return found;
 }
 
