@@ -9,6 +9,7 @@ namespace {
 constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::size_t kDeepest = 10'000;
 constexpr std::size_t kMostPathBytes = std::size_t{32} << 20;
+constexpr std::size_t kMostOtherBytes = std::size_t{128} << 20;
 
 std::shared_ptr<Program> EmptyProgram(const Project& project,
                                       std::shared_ptr<const Registry> registry,
@@ -148,6 +149,9 @@ bool TreeCompiler::IsTooBig(const Site& site) {
   } else if (subtrees_.path_bytes() > kMostPathBytes) {
     reason =
         "the paths of the SubTrees take more than " + std::to_string(kMostPathBytes >> 20) + " MiB";
+  } else if (keys_.bytes() + scripts_.bytes() > kMostOtherBytes) {
+    reason = "the keys, values and scripts take more than " +
+             std::to_string(kMostOtherBytes >> 20) + " MiB";
   } else {
     return false;
   }

@@ -48,6 +48,8 @@ ScriptIndex ScriptTable::AddDefault(const Site& site, std::string_view text, Scr
 }
 
 ScriptIndex ScriptTable::Add(const Pending& pending) {
+  constexpr std::size_t kOfScript = 800, kOfLetter = 60;  // with its keys, as measured
+  bytes_ += kOfScript + kOfLetter * pending.text.size();
   pending_.push_back(pending);
   return static_cast<ScriptIndex>(pending_.size() - 1);
 }

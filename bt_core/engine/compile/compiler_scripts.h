@@ -28,6 +28,9 @@ class ScriptTable {
   /// A script that is the default of a port. `text` must outlive the table.
   ScriptIndex AddDefault(const Site& site, std::string_view text, ScriptUse use);
 
+  /// About what they take when they are compiled.
+  std::size_t bytes() const { return bytes_; }
+
   /// Compiles what was added. Without a problem script k lies at `scripts[k]` afterwards.
   void Compile(const ScriptConstants& constants, std::vector<Script>& scripts);
 
@@ -48,6 +51,7 @@ class ScriptTable {
   const SlotTypes& types_;
   Problems& problems_;
   std::vector<Pending> pending_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace coppice

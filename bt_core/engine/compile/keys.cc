@@ -12,6 +12,8 @@ ScopeIndex KeyTable::AddScope(ScopeIndex parent, bool autoremap) {
 }
 
 SlotIndex KeyTable::AddSlot(std::string key, ScopeIndex scope, const Type* type, Value initial) {
+  constexpr std::size_t kOfKey = 400;  // as measured
+  bytes_ += sizeof(layout_.slots[0]) + (key.empty() ? 0 : kOfKey + 2 * key.size());
   layout_.slots.push_back({std::move(key), scope, type, std::move(initial)});
   return static_cast<SlotIndex>(layout_.slots.size() - 1);
 }
@@ -36,8 +38,8 @@ SlotIndex KeyTable::Resolve(std::string_view key, ScopeIndex scope) {
   const SlotIndex slot = at_home != scopes_[home].keys.end()
                              ? at_home->second
                              : AddSlot(std::string(key), home, nullptr);
-  for (ScopeIndex at = scope; at != home; at = scopes_[at].parent) scopes_[at].keys[key] = slot;
-  scopes_[home].keys.emplace(key, slot);
+  for (ScopeIndex at = scope; at != home; at = scopes_[at].parent) Enter(key, at, slot);
+  Enter(key, home, slot);
   return slot;
 }
 
@@ -52,7 +54,12 @@ bool KeyTable::Has(std::string_view key, ScopeIndex scope) const {
 }
 
 void KeyTable::Bind(std::string_view key, ScopeIndex scope, SlotIndex slot) {
-  scopes_[scope].keys.emplace(key, slot);
+  Enter(key, scope, slot);
+}
+
+void KeyTable::Enter(std::string_view key, ScopeIndex scope, SlotIndex slot) {
+  constexpr std::size_t kOfName = 100;
+  if (scopes_[scope].keys.emplace(key, slot).second) bytes_ += kOfName;
 }
 
 }  // namespace coppice

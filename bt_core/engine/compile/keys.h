@@ -40,6 +40,9 @@ class KeyTable {
   /// True if that is the name of a key already, in this scope or where the scope has it from.
   bool Has(std::string_view key, ScopeIndex scope) const;
 
+  /// About what slots and keys take.
+  std::size_t bytes() const { return bytes_; }
+
   /// Makes the key of a scope that slot. Without effect if the scope has that key already.
   void Bind(std::string_view key, ScopeIndex scope, SlotIndex slot);
 
@@ -53,7 +56,11 @@ class KeyTable {
   // The scope whose own key it is.
   ScopeIndex Home(std::string_view key, ScopeIndex scope) const;
 
+  // A name in a scope.
+  void Enter(std::string_view key, ScopeIndex scope, SlotIndex slot);
+
   Layout& layout_;
+  std::size_t bytes_ = 0;
   std::vector<Scope> scopes_;
   bool keeps_outer_keys_ = false;
   std::deque<std::string> names_;  // what ResolveCopy has kept

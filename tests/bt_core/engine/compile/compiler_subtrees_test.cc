@@ -180,6 +180,27 @@ TEST(SubTree, AMillionNodesAreTheMost) {
       "t.xml:6:357: error: the tree has more than 1000000 nodes (counted with all SubTrees)\n");
 }
 
+TEST(SubTree, KeysScriptsAndRemappingsHaveABoundTogether) {
+  std::string keys, scripts, remaps, calls;
+  for (int i = 0; i < 900; ++i) {
+    const std::string key = "k" + std::to_string(i);
+    keys += "<SetBlackboard value=\"1\" output_key=\"" + key + "\"/>";
+    scripts += "<Script code=\"" + key + " := 1\"/>";
+    remaps += " " + key + "=\"{" + key + "}\"";
+  }
+  for (int i = 0; i < 900; ++i) calls += "<SubTree ID=\"T\"/>";
+  const std::string main = Tree("Main", "<Sequence>" + calls + "</Sequence>");
+  const std::string call = "<Sequence><SubTree ID=\"U\"" + remaps + "/><SubTree ID=\"U\"" + remaps +
+                           "/><SubTree ID=\"U\"" + remaps + "/></Sequence>";
+  for (const std::string& body :
+       {"<Sequence>" + keys + "</Sequence>", "<Sequence>" + scripts + "</Sequence>", call}) {
+    const std::string problems = Problems(main + Tree("T", body) + Tree("U", "<AlwaysSuccess/>"));
+    EXPECT_NE(problems.find("error: the keys, values and scripts take more than 128 MiB"),
+              std::string::npos)
+        << problems.substr(0, 300);
+  }
+}
+
 // Trees of 50 nodes each in one line, one inside the other.
 std::string DeepTrees(int count) {
   std::string trees;
