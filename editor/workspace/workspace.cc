@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "bt_core/engine/compile/check_project.h"
@@ -21,11 +23,10 @@ constexpr double kLookDelay = 1;       // between two looks at the disk
 constexpr double kRefreshDelay = 0.5;  // between two looks whether a record has grown
 
 void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) {
+  std::unordered_set<std::string> known;
+  for (const Diagnostic& one : all) known.insert(ToString(one));
   for (const Diagnostic& one : more) {
-    const std::string text = ToString(one);
-    const bool known = std::any_of(all.begin(), all.end(),
-                                   [&](const Diagnostic& d) { return ToString(d) == text; });
-    if (!known) all.push_back(one);
+    if (known.insert(ToString(one)).second) all.push_back(one);
   }
 }
 

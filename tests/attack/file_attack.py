@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
 import zipfile
 
@@ -256,6 +257,16 @@ class Trees(FileAttack):
         self.check('<root BTCPP_format="4" main_tree_to_execute="T0">' + trees +
                    '<BehaviorTree ID="T30"><AlwaysSuccess/></BehaviorTree></root>')
 
+    def test_subtrees_do_not_multiply_keys_and_scripts(self):
+        call = '<BehaviorTree ID="Main"><Sequence>' + '<SubTree ID="T"/>' * 450
+        for body in ('<Script code="k%d := 1; b := k%d + 1"/>',
+                     '<SetBlackboard value="%d" output_key="k%d"/>'):
+            self.assertIn("more than 128 MiB", self.check(
+                '<root BTCPP_format="4" main_tree_to_execute="Main">' + call +
+                '</Sequence></BehaviorTree><BehaviorTree ID="T"><Sequence>' +
+                "".join(body % (i, i) for i in range(2200)) +
+                "</Sequence></BehaviorTree></root>"))
+
     def test_a_text_that_joins_itself_fails_at_its_node(self):
         self.write("t.xml", TREE % '<Script code="s := 0.5 .. 1"/><Repeat num_cycles="100">'
                                    '<Script code="s := s .. s"/></Repeat>')
@@ -388,6 +399,13 @@ class Site(FileAttack):
 
 class Editor(FileAttack):
     """What is opened in the editor, and what that includes, may be no file at all."""
+
+    def test_hundreds_of_thousands_of_attributes_are_shown_soon(self):
+        attributes = "".join(' a%d="1"' % i for i in range(900))
+        self.write("a.xml", TREE % (("<Sleep%s/>" % attributes) * 300))
+        begin = time.monotonic()
+        self.edit("a.xml", codes=(0, 1, 2))
+        self.assertLess(time.monotonic() - begin, 10)
 
     def edit(self, name, codes=(1, 2)):
         return self.run_program("edit", name, "--headless", codes=codes)
