@@ -43,6 +43,8 @@ const std::map<std::string, Faults::Kind>& Faults::Kinds() {
       {"restore_landmark", {&Faults::PutLandmark, "take_landmark"}},
       {"emergency_stop", {&Faults::PressStop, "release_emergency_stop"}},
       {"release_emergency_stop", {&Faults::ReleaseStop, "emergency_stop"}},
+      {"follow_robot", {&Faults::FollowRobot, "leave_robot"}},
+      {"leave_robot", {&Faults::LeaveRobot, "follow_robot"}},
       {"kidnap", {&Faults::Kidnap, ""}},
       {"kill_node", {&Faults::Kill, ""}},
       {"hang_node", {&Faults::Hang, "resume_node"}},

@@ -67,6 +67,8 @@ class Faults {
   Change MoveStation(const Fault& f);
   Change TakeLandmark(const Fault&) { return world_.SetLandmark(false); }
   Change PutLandmark(const Fault&) { return world_.SetLandmark(true); }
+  Change FollowRobot(const Fault& f) { return world_.SetFollows(f.target, true); }
+  Change LeaveRobot(const Fault& f) { return world_.SetFollows(f.target, false); }
   Change SwitchChargerOff(const Fault&) { return world_.SetChargerOn(false); }
   Change SwitchChargerOn(const Fault&) { return world_.SetChargerOn(true); }
   Change PressStop(const Fault&) { return world_.SetEmergencyStop(true); }

@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kWallDistance = 0.1;  // from the person's edge
 
+constexpr double kCrumb = 0.3;         // m, between the points of a way that is remembered
 constexpr double kStandsStill = 0.02;  // a robot that has moved less [m]
 constexpr double kTurnAside = 20 * kPi / 180;
 constexpr int kTurnsAside = 5;  // up to 100 degrees
@@ -77,7 +78,61 @@ void People::ComesNearer(std::size_t i) {
   state.waited = 0;
 }
 
+// On the straight way, for both shoulders.
+bool People::IsFree(std::size_t i, Vec2 point, const RayCaster& still) const {
+  const Vec2 way = point - discs_[i].center;
+  const double left = Length(way);
+  if (left <= kCrumb) return true;
+  const Vec2 direction = way * (1 / left);
+  const Vec2 shoulder = Vec2{-direction.y, direction.x} * (kPersonRadius + kWallDistance);
+  const Vec2 here = discs_[i].center;
+  return still.Cast(here + shoulder, direction, left) >= left &&
+         still.Cast(here - shoulder, direction, left) >= left;
+}
+
+// False if something is in the way, or he is there.
+bool People::StepTo(std::size_t i, Vec2 point, double dt, const Disc& robot,
+                    const RayCaster& still) {
+  const Vec2 way = point - discs_[i].center;
+  const double left = Length(way);
+  const double step = walkers_[i].speed * dt;
+  return left > step && Step(i, way * (1 / left), step, robot, still);
+}
+
+void People::Follow(std::size_t i, double dt, const Disc& robot, const RayCaster& still) {
+  State& state = states_[i];
+  const Vec2 here = discs_[i].center;
+  if (state.ahead.empty() || Length(robot.center - state.ahead.back()) > kCrumb) {
+    state.ahead.push_back(robot.center);
+  }
+  if (IsFree(i, robot.center, still)) state.ahead = {robot.center};
+  while (state.ahead.size() > 1 && Length(state.ahead.front() - here) < kCrumb) {
+    state.ahead.erase(state.ahead.begin());
+  }
+  if (state.behind.empty() || Length(here - state.behind.back()) > kCrumb) {
+    state.behind.push_back(here);
+  }
+  const double gap = Length(robot.center - here) - robot.radius - kPersonRadius;
+  const bool walks = gap > kFollowsAt && StepTo(i, state.ahead.front(), dt, robot, still);
+  state.waited = walks ? 0 : state.waited + dt;
+}
+
+void People::WalkBack(std::size_t i, double dt, const Disc& robot, const RayCaster& still) {
+  State& state = states_[i];
+  state.ahead.clear();
+  const bool walks = StepTo(i, state.behind.back(), dt, robot, still);
+  state.waited = walks ? 0 : state.waited + dt;
+  if (Length(state.behind.back() - discs_[i].center) >= kCrumb && state.waited < kPersonPatience) {
+    return;
+  }
+  state.behind.pop_back();
+  state.waited = 0;
+  state.left = 1e9;
+}
+
 void People::Walk(std::size_t i, double dt, const Disc& robot, const RayCaster& still) {
+  if (states_[i].follows) return Follow(i, dt, robot, still);
+  if (!states_[i].behind.empty()) return WalkBack(i, dt, robot, still);
   const Vec2 here = discs_[i].center;
   const Vec2 way = walkers_[i].path[states_[i].target] - here;
   const double left = Length(way);

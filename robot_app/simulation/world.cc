@@ -296,6 +296,13 @@ Change World::SetLandmark(bool there) {
   return there ? "the landmark is there" : "the landmark is gone";
 }
 
+Change World::SetFollows(const std::string& person, bool follows) {
+  const auto index = Find(floor_.people, person, "person");
+  if (!index) return Problem{index.problem()};
+  people_.SetFollows(*index, follows);
+  return person + (follows ? " follows the robot" : " goes back");
+}
+
 Change World::SetChargerOn(bool on) {
   charger_on_ = on;
   return on ? "the charger is on" : "the charger is off";

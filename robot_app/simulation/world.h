@@ -117,6 +117,8 @@ class World {
   Change SetLandmark(bool there);
   /// A charger that is off gives no current, though the contacts touch.
   Change SetChargerOn(bool on);
+  /// Has one of the people walk behind the robot, or back and on with the own round.
+  Change SetFollows(const std::string& person, bool follows);
   /// Pressed, it takes the motors away; the computers run on.
   Change SetEmergencyStop(bool pressed);
 

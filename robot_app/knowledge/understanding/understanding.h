@@ -11,6 +11,7 @@
 #ifndef COPPICE_ROBOT_APP_KNOWLEDGE_UNDERSTANDING_UNDERSTANDING_H_
 #define COPPICE_ROBOT_APP_KNOWLEDGE_UNDERSTANDING_UNDERSTANDING_H_
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -83,8 +84,10 @@ class Understander {
     bool is_missing = false;
   };
 
+  /// `needed`: only that one is taken for what the row needs; nothing: the best one.
   Reading Read(const IntentRow& row, const Utterance& utterance,
-               const std::vector<Candidate>& candidates) const;
+               const std::vector<Candidate>& candidates,
+               std::optional<Kind> needed = std::nullopt) const;
   double FindCues(const IntentRow& row, const Utterance& utterance, WordSet& cues) const;
   bool Suits(const IntentRow& row, const Utterance& utterance, const Candidate& candidate) const;
   Utterance Hear(std::string_view text) const;

@@ -211,6 +211,15 @@ TEST_F(FaultsTest, MovesTheStationAndTakesItsLandmarkAway) {
   EXPECT_TRUE(world_.landmark());
 }
 
+TEST_F(FaultsTest, OneOfThePeopleFollowsTheRobotForAWhile) {
+  const std::string person = world_.floor().people.front().name;
+  EXPECT_TRUE(faults_.Inject({"follow_robot", person, 0, 5}));
+  const Change nobody = faults_.Inject({"follow_robot", "nobody", 0, 0});
+  ASSERT_FALSE(nobody);
+  EXPECT_NE(nobody.problem().find("there is no person \"nobody\""), std::string::npos);
+  EXPECT_TRUE(faults_.Inject({"leave_robot", person, 0, 0}));
+}
+
 TEST_F(FaultsTest, AnEmergencyStopHoldsTheRobotForAWhile) {
   ASSERT_TRUE(faults_.Inject({"kidnap", "10 0 0", 0, 0}));
   EXPECT_TRUE(faults_.Inject({"emergency_stop", "", 0, 1}));

@@ -55,6 +55,36 @@ TEST(People, NeverComeNearerThanPoliteToADrivingRobot) {
   }
 }
 
+// The robot drives to a point at half a metre a second.
+template <class After>
+void DriveTo(Vec2 goal, Disc& robot, People& people, const RayCaster& still, const After& after) {
+  while (Length(goal - robot.center) > 0.02) {
+    robot.center = robot.center + (goal - robot.center) * (0.5 * kDt / Length(goal - robot.center));
+    people.Step(kDt, robot, still);
+    after();
+  }
+}
+
+TEST(People, WhoFollowsWalksBehindTheRobotRoundACornerAndGoesBackToHisRound) {
+  const RayCaster corner(Segments{{{4, 1}, {4, 20}}});  // the robot drives round its lower end
+  People people({ToAndFro()});
+  Disc robot{{2, 2}, 0.33};
+  people.SetFollows(0, true);
+  double farthest = 0;
+  for (double t = 0; t < 5; t += kDt) people.Step(kDt, robot, corner);
+  const auto watch = [&] {
+    farthest = std::max(farthest, Length(robot.center - people.discs()[0].center));
+  };
+  DriveTo({2, 0}, robot, people, corner, watch);
+  DriveTo({6, 0}, robot, people, corner, watch);
+  DriveTo({6, 8}, robot, people, corner, watch);
+  EXPECT_LT(farthest, 4) << "he has lost the robot";
+  EXPECT_GT(people.discs()[0].center.x, 4) << "he came round the corner";
+  people.SetFollows(0, false);
+  for (double t = 0; t < 20; t += kDt) people.Step(kDt, robot, corner);
+  EXPECT_NEAR(people.discs()[0].center.y, 0, 0.3) << "on his round again";
+}
+
 TEST(People, WhoStepsAsideGoesRoundARobotThatStands) {
   Walker walker = ToAndFro();
   walker.steps_aside = true;

@@ -44,6 +44,7 @@ TEST_F(UnderstandingTest, AWordThatBelongsToTheNameMakesItAnotherThing) {
 
 TEST_F(UnderstandingTest, SeveralOfOneNameAreAskedBack) {
   EXPECT_EQ(Heard("where is Weber"), "find_person person=anna_weber? person=paul_weber?");
+  EXPECT_EQ(Heard("take me to the office of Weber"), "guide person=anna_weber? person=paul_weber?");
 }
 
 TEST_F(UnderstandingTest, WhatIsMissingIsKnownToBeMissing) {
