@@ -31,10 +31,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // What a visitor says, and what else when he is not understood.
-constexpr const char* kWishes[] = {"Can you take me to office one oh three?",
-                                   "Please take me to office one oh three.",
-                                   "Take me to room one oh three."};
+constexpr const char* kWishes[] = {"Please take me to office one oh three.",
+                                   "Take me to room one oh three.",
+                                   "Can you take me to office one oh three?"};
 constexpr char kVisitor[] = "en-us+f2";  // a voice of espeak-ng
+constexpr char kFollower[] = "anna";     // who follows the robot where it looks back
 
 std::string LastLine(const std::string& path) {
   std::ifstream file(path);
@@ -98,9 +99,11 @@ class Demo {
 
   void Patrol() {
     console_.Step("patrol: " + settings_.rounds + " rounds of " + settings_.stops + " stops");
+    if (settings_.perception) CallSimulation("follow_robot", kFollower);
     WaitOrFail("the robot to leave its station", 120,
                [](const RobotView& view) { return view.has_goal && view.distance > 5; });
-    if (!settings_.perception) LeadAVisitor();
+    LeadAVisitor();
+    if (settings_.perception) CallSimulation("leave_robot", kFollower);
     HangNavigation();
     BlockCorridor();
     WaitOrFail("the application to end", 900,
@@ -111,8 +114,7 @@ class Demo {
                [](const RobotView& view) { return view.errors.empty(); });
   }
 
-  // What he says comes by a file instead of the microphone. Nobody in the simulation follows a
-  // robot that looks back, so there is no visitor where it can.
+  // What he says comes by a file instead of the microphone.
   void LeadAVisitor() {
     const bool is_led = std::any_of(std::begin(kWishes), std::end(kWishes),
                                     [this](const char* wish) { return AskToBeLed(wish); });
