@@ -4,6 +4,7 @@
 // When the whole stack has to begin anew, the program replaces itself: a ROS node cannot move to
 // another master in its lifetime.
 #include <ros/ros.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <string>
 
 #include "robot_app/processes/config/supervisor_settings.h"
 #include "robot_app/processes/launch/survivors.h"
@@ -50,6 +52,30 @@ void EndMaster(const RosMaster& master, PosixLauncher& launcher) {
   }
 }
 
+// What the disk could not take, for who begins anew in this process: a file that is nowhere.
+// Whoever forgot how often it has begun anew would never ask a person.
+constexpr char kHandedOver[] = "COPPICE_SUPERVISOR_MEMORY";  // the number of its descriptor
+
+int HandOver(const std::string& unsaved) {
+  if (unsaved.empty()) return -1;
+  const int file = memfd_create("supervisor", 0);
+  if (file < 0 || write(file, unsaved.data(), unsaved.size()) < 0) return -1;
+  setenv(kHandedOver, std::to_string(file).c_str(), 1);
+  return file;
+}
+
+std::string MemoryFile(const SupervisorSettings& settings) {
+  const char* const file = std::getenv(kHandedOver);
+  return file != nullptr ? std::string("/proc/self/fd/") + file : settings.state;
+}
+
+// Not for the programs that are started.
+void ForgetHandedOver() {
+  const char* const file = std::getenv(kHandedOver);
+  if (file != nullptr) close(std::atoi(file));
+  unsetenv(kHandedOver);
+}
+
 RobotConfig Load(const SupervisorSettings& settings, const std::string& site,
                  Diagnostics& diagnostics) {
   Variables variables = settings.variables;
@@ -73,7 +99,7 @@ Outcome CheckComplete(const SupervisorSettings& settings, const std::string& sit
 
 // Where the robot is knows the memory, which is written as a whole: the old site or the new one.
 RobotConfig LoadWhereItIs(const SupervisorSettings& settings, Diagnostics& diagnostics) {
-  const Expected<SupervisorMemory> memory = LoadMemory(settings.state, WallClock().Now());
+  const Expected<SupervisorMemory> memory = LoadMemory(MemoryFile(settings), WallClock().Now());
   RobotConfig config = Load(settings, "", diagnostics);
   if (diagnostics.has_errors() || config.sites.empty() || !memory || memory->site.empty()) {
     return config;
@@ -87,7 +113,7 @@ RobotConfig LoadWhereItIs(const SupervisorSettings& settings, Diagnostics& diagn
 }
 
 Ending RunNode(RobotConfig config, const SupervisorSettings& settings, const RosMaster& master,
-               PosixLauncher& launcher) {
+               PosixLauncher& launcher, std::string& unsaved) {
   const Outcome made = MakeFolder(config.site_folder);  // without it nothing is learnt there
   if (!made) std::cerr << "coppice-supervisor: " << made.problem() << "\n";
   int no_arguments = 0;
@@ -96,9 +122,11 @@ Ending RunNode(RobotConfig config, const SupervisorSettings& settings, const Ros
   if (!set) std::cerr << "coppice-supervisor: " << set.problem() << "\n";
   const char* token = std::getenv("COPPICE_SWITCH_OFF_TOKEN");
   SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state,
-                            token ? token : "",
+                            MemoryFile(settings), token ? token : "",
                             [&](const std::string& site) { return CheckComplete(settings, site); });
+  ForgetHandedOver();
   const Ending ending = program.Run([] { return g_stop != 0; });
+  unsaved = program.unsaved();
   ros::shutdown();
   return ending;
 }
@@ -139,7 +167,8 @@ bool IsOnlyOne(const std::string& state) {
 }
 
 // The same program again, with the same port. Returns only if that fails.
-int BeginAnew(std::vector<std::string> arguments, int port) {
+int BeginAnew(std::vector<std::string> arguments, int port, const std::string& unsaved) {
+  const int handed_over = HandOver(unsaved);
   arguments.insert(arguments.begin(), "coppice-supervisor");
   arguments.insert(arguments.end(), {"--port", std::to_string(port)});
   std::vector<char*> pointers;
@@ -147,7 +176,7 @@ int BeginAnew(std::vector<std::string> arguments, int port) {
   pointers.push_back(nullptr);
   for (int file = STDERR_FILENO + 1; file < static_cast<int>(sysconf(_SC_OPEN_MAX)); ++file) {
     if (file > 4096) break;
-    close(file);
+    if (file != handed_over) close(file);
   }
   execv("/proc/self/exe", pointers.data());
   return Fail("cannot begin anew");
@@ -206,11 +235,12 @@ int Main(const std::vector<std::string>& arguments) {
             << ", logs in " << settings.logs << std::endl;
   if (!settings.port_file.empty()) std::ofstream(settings.port_file) << master.address.port;
 
-  const Ending ending = RunNode(config, settings, master, launcher);
+  std::string unsaved;
+  const Ending ending = RunNode(config, settings, master, launcher, unsaved);
   EndMaster(master, launcher);
   if (ending == Ending::kSwitchOff && CutPowerAndForget(config, settings, launcher)) return 0;
   if (ending == Ending::kNewStack || ending == Ending::kSwitchOff) {
-    return BeginAnew(arguments, master.address.port);
+    return BeginAnew(arguments, master.address.port, unsaved);
   }
   if (ending == Ending::kStopped) {
     ForgetSiteOfCommandLine(settings);

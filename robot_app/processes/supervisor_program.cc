@@ -49,8 +49,8 @@ SupervisorMemory Load(const std::string& path, Time now) {
 
 SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher,
                                      const RosMaster& master, const std::string& address,
-                                     std::string state_file, std::string switch_off_token,
-                                     CheckSite check)
+                                     std::string state_file, const std::string& memory_file,
+                                     std::string switch_off_token, CheckSite check)
     : local_(launcher),
       launcher_(
           launcher, config.hosts,
@@ -60,7 +60,7 @@ SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher
       parameters_(launcher_, master.address, config.parameters),
       master_(master),
       state_file_(std::move(state_file)),
-      supervisor_(std::move(config), parameters_, Load(state_file_, clock_.Now())),
+      supervisor_(std::move(config), parameters_, Load(memory_file, clock_.Now())),
       calls_(supervisor_.config().given_up.command, launcher),
       switch_off_(!supervisor_.config().switch_off.empty(), std::move(switch_off_token)),
       check_site_(std::move(check)),
@@ -316,6 +316,10 @@ void SupervisorProgram::Tell(std::size_t process) {
   if (told_[process] == line) return;
   told_[process] = line;
   std::cout << line << std::endl;
+}
+
+std::string SupervisorProgram::unsaved() const {
+  return unsaved_because_.empty() ? "" : ToText(supervisor_.Remember());
 }
 
 // What cannot be written is tried again, until it can be; the same problem is said once.

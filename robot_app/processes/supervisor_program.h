@@ -42,18 +42,21 @@ class SupervisorProgram {
   };
 
   /// ros::init was called. Launcher and master must outlive it. `state_file`: where the
-  /// supervisor's memory is kept; what is in it is taken up.
+  /// supervisor's memory is kept. `memory_file`: what is in it is taken up; mostly the same.
   /// `switch_off_token`: see PowerDown.
   /// `address`: of this computer for nodes on other hosts; empty: that of the master.
   /// `check`: see Supervisor::SetSite.
   SupervisorProgram(RobotConfig config, PosixLauncher& launcher, const RosMaster& master,
                     const std::string& address, std::string state_file,
-                    std::string switch_off_token, CheckSite check);
+                    const std::string& memory_file, std::string switch_off_token, CheckSite check);
 
   Supervisor& supervisor() { return supervisor_; }
 
   /// Until `stop` says so or the stack is to begin anew; everything has stopped then.
   Ending Run(const std::function<bool()>& stop);
+
+  /// What the state file could not be given; empty: it has all.
+  std::string unsaved() const;
 
  private:
   struct Probed {

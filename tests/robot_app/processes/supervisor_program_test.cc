@@ -391,6 +391,30 @@ TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
               HasSubstr("--set: expected NAME=VALUE, not \"x\""));
 }
 
+// Else a robot whose disk is full would begin anew again and again, and never ask a person.
+TEST_F(SupervisorProgramTest, WhatCannotBeWrittenDownIsKnownWhenTheStackBeginsAnew) {
+  const std::string memory = folder_ + "/memory";
+  std::filesystem::create_directories(memory);
+  StartSupervisor({"--state", memory + "/supervisor.json"});
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/first") > 0; }));
+  const int before = PidOfNode("/first");
+  std::filesystem::remove_all(memory);
+  EXPECT_EQ(
+      ExitStatusOf(graph_.Start("anew", {kPrograms + "coppice-processes", "restart", "all",
+                                         "--master", "http://127.0.0.1:" + std::to_string(port_)})),
+      0);
+  ASSERT_TRUE(Eventually([&] {
+    const int now = PidOfNode("/first");
+    return now > 0 && now != before;
+  }));
+  std::filesystem::create_directories(memory);
+  EXPECT_TRUE(Eventually([&] {
+    const std::string text = Read("memory/supervisor.json");
+    return !text.empty() && text.find("\"stack_restarts\": []") == std::string::npos;
+  })) << Read("memory/supervisor.json");
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
 // A disk that was full for a while.
 TEST_F(SupervisorProgramTest, WhatCouldNotBeWrittenDownIsWrittenAsSoonAsItCan) {
   const std::string memory = folder_ + "/memory";
