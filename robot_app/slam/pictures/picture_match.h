@@ -16,15 +16,15 @@
 namespace coppice::robot::slam {
 
 struct MatchSettings {
-  int least_inliers = 25;           ///< pairs that agree
-  double least_share = 0.4;         ///< of the pairs
-  double pixels = 3;                ///< a pair may be off in the picture,
-  double depth = 0.12;              ///< and in depth at 1 m; grows with the distance [m]
-  double most_rise = 0.1;           ///< [m]
-  double most_tilt = 0.05;          ///< [rad]
-  double most_way = 3;              ///< between the two places [m]
-  double least_spread = 0.25;       ///< of the pairs that agree: standard deviation in space [m]
-  double most_contradiction = 0.2;  ///< between the places by perspective and by depth [m]
+  int least_inliers = 25;            ///< pairs that agree
+  double least_share = 0.4;          ///< of the pairs
+  double pixels = 3;                 ///< a pair may be off in the picture,
+  double depth = 0.12;               ///< and in depth at 1 m; grows with the distance [m]
+  double most_rise = 0.1;            ///< [m]
+  double most_tilt = 0.05;           ///< [rad]
+  double most_way = 3;               ///< between the two places [m]
+  double least_spread = 0.25;        ///< of the pairs that agree: standard deviation in space [m]
+  double most_contradiction = 0.12;  ///< between the places by perspective and by depth [m]
 };
 
 struct PictureMatch {
