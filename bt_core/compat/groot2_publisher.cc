@@ -14,6 +14,9 @@ struct Groot2Publisher::PImpl {
 
 Groot2Publisher::Groot2Publisher(const Tree& tree, unsigned server_port)
     : executor_(tree.run().executor()), port_(static_cast<std::uint16_t>(server_port)) {
+  if (server_port > UINT16_MAX) {
+    throw RuntimeError("Groot2Publisher: there is no port " + std::to_string(server_port));
+  }
   Open();
 }
 

@@ -8,6 +8,7 @@
 
 #include "behaviortree_cpp/bt_factory.h"
 #include "behaviortree_cpp/loggers/abstract_logger.h"
+#include "behaviortree_cpp/loggers/groot2_publisher.h"
 
 namespace {
 
@@ -158,6 +159,11 @@ TEST_F(CompatAttack, ABuilderThatMakesNothingMakesNoTree) {
       factory_.createTreeFromText(
           R"(<root BTCPP_format="4"><BehaviorTree ID="A"><Nothing/></BehaviorTree></root>)"),
       BT::RuntimeError);
+}
+
+TEST_F(CompatAttack, APortThatThereIsNotIsNoOther) {
+  EXPECT_THROW(BT::Groot2Publisher(tree_, 65536 + 1667), BT::RuntimeError);
+  ExpectThatItWorks();
 }
 
 }  // namespace

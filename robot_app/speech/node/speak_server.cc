@@ -53,7 +53,7 @@ void SpeakServer::Say(const std::string& text, const std::string& language, int 
 
 void SpeakServer::OnGoal(Server::GoalHandle goal) {
   const auto wanted = goal.getGoal();
-  if (wanted->text.size() > kMostText) {
+  if (wanted->text.size() > kMostText || wanted->language.size() > kMostText) {
     goal.setRejected({}, "the text is too long to be said");
     return;
   }

@@ -126,6 +126,17 @@ TEST_F(SpeechNodeTest, ACancelledGoalSaysSo) {
   EXPECT_EQ(goal.getResult()->outcome, coppice_msgs::SpeakResult::CANCELLED);
 }
 
+TEST_F(SpeechNodeTest, WhatIsTooLongIsNotTaken) {
+  coppice_msgs::SpeakGoal language = Goal("Hello.");
+  language.language = std::string(100'000, 'x');
+  for (const coppice_msgs::SpeakGoal& goal : {Goal(std::string(100'000, 'x')), language}) {
+    const auto sent = Send(goal);
+    ASSERT_TRUE(IsDone(sent));
+    EXPECT_EQ(sent.getTerminalState(), actionlib::TerminalState::REJECTED);
+  }
+  EXPECT_TRUE(IsDone(Send(Goal("Hello."))));
+}
+
 TEST_F(SpeechNodeTest, WhatIsMoreUrgentCutsWhatIsBeingSaid) {
   const auto chat = Send(Goal("All is quiet on this floor, and nobody needs to worry.", 0));
   const auto urgent = Send(Goal("Careful!", 200));
