@@ -80,11 +80,17 @@ void PutLinks(const SlamMap& map, Writer& writer) {
   for (const Link& link : map.graph.links) PutLink(link, writer);
 }
 
+// What lies there goes: nothing is written through a link, and no pipe is waited for.
+std::FILE* Create(const std::string& path) {
+  ::unlink(path.c_str());
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  return file < 0 ? nullptr : ::fdopen(file, "wb");
+}
+
 // Written beside the one that it is to be, synced and renamed.
 class NewFile {
  public:
-  explicit NewFile(const std::string& path)
-      : path_(path), file_(std::fopen(beside_.c_str(), "wb")) {}
+  explicit NewFile(const std::string& path) : path_(path), file_(Create(beside_)) {}
   ~NewFile() {
     if (file_ != nullptr) std::fclose(file_);
     std::error_code error;

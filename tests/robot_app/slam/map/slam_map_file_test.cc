@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "robot_app/slam/map/map_bytes.h"
 #include "tests/robot_app/slam/map/small_map.h"
@@ -112,6 +114,23 @@ TEST_F(SlamMapFileTest, TheThreeNewestVersionsStay) {
   EXPECT_FALSE(fs::exists(File(2)));
   EXPECT_TRUE(fs::exists(File(3)));
   EXPECT_EQ(LoadSlamMap(maps_)->version, 5);
+}
+
+TEST_F(SlamMapFileTest, ALinkOrAPipeInItsPlaceIsNotWrittenThrough) {
+  fs::create_directories(maps_);
+  fs::create_symlink(folder_.Path("other"), File(1) + ".new");
+  ASSERT_EQ(mkfifo((File(2) + ".new").c_str(), 0600), 0);
+  EXPECT_EQ(*SaveSlamMap(maps_, SmallMap()), 1);
+  EXPECT_EQ(*SaveSlamMap(maps_, SmallMap()), 2);
+  EXPECT_FALSE(fs::exists(folder_.Path("other")));
+  EXPECT_EQ(LoadSlamMap(maps_)->version, 2);
+}
+
+TEST_F(SlamMapFileTest, ANumberThatNoMapHasIsNoVersion) {
+  fs::create_directories(maps_);
+  std::ofstream(folder_.Path("maps/map-2147483647.slam")) << "x";
+  EXPECT_EQ(*SaveSlamMap(maps_, SmallMap()), 1);
+  EXPECT_EQ(LoadSlamMap(maps_)->version, 1);
 }
 
 TEST_F(SlamMapFileTest, ADamagedVersionIsSaidAndTheOneBeforeItIsRead) {
