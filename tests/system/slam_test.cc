@@ -55,6 +55,9 @@ TEST(Slam, MapsBesideAllElseOutlivesItsEndAndItsMapIsWorkedWith) {
   std_srvs::Trigger save;
   ASSERT_TRUE(ros::service::call("/slam/save", save));
   ASSERT_TRUE(save.response.success) << save.response.message;
+  const std::string maps = (rig.folder() / "institute/slam").string();
+  const auto saved = slam::LoadSlamMap(maps);
+  ASSERT_TRUE(saved) << saved.problem();
 
   ros::NodeHandle node;
   const Latest<LocalizationState> localized(node, "/localization/state");
@@ -79,11 +82,12 @@ TEST(Slam, MapsBesideAllElseOutlivesItsEndAndItsMapIsWorkedWith) {
       << rig.Logged("slam");
   ASSERT_TRUE(ros::service::call("/slam/save", save));
   ASSERT_TRUE(save.response.success) << save.response.message;
-  const std::string maps = (rig.folder() / "institute/slam").string();
   const auto kept = slam::LoadSlamMap(maps);
   ASSERT_TRUE(kept) << kept.problem();
-  ASSERT_EQ(kept->map.names.size(), 2U);
-  EXPECT_EQ(kept->map.names[0].name, "morning");
+  // More than two: on a busy computer the robot has restarted its simulator, and time began anew.
+  ASSERT_EQ(kept->map.names.size(), saved->map.names.size() + 1);
+  EXPECT_EQ(kept->map.names.front().name, "morning");
+  EXPECT_EQ(kept->map.names.back().name, "morning");
   EXPECT_TRUE(kept->map.key_frames.front()->place.has_value());
 
   // The grid of the map, where it lay, becomes the map that it works with.
