@@ -81,7 +81,7 @@ Parameters ParametersOf(Settings& settings) {
       {"floor", &settings.floor_file, "description of the floor, a YAML file"},
       {"robot", &settings.robot_file, "description of the robot, a URDF file"},
       {"seed", &world.seed, 0, 1e9, "of the sensors' noise"},
-      {"speed", &settings.speed, 0, 1000, "times real time at most; 0: as fast as possible"},
+      {"speed", &settings.speed, 0, 1000, "times real time; 0: as fast as possible"},
       {"start", &settings.start, "\"X Y YAW\" on the map; none: docked"},
       {"state_of_charge", &world.state_of_charge, 0, 1, "of the battery"},
       {"localization", &settings.localization, "publishes map -> odom"},

@@ -71,7 +71,7 @@ TEST_F(GoToPlace, TakesAnotherWayWhenThereIsOne) {
   Go("office", {{"a -> office", "door", {1, 0, 0}, ""}});
   while (Calls() != std::vector<std::string>{"blocked a -> office"}) {
     scenario_.Answer(false);
-    scenario_.Advance(10);
+    scenario_.Advance(1);
     scenario_.Tick();
     ASSERT_LT(scenario_.now(), start_ + std::chrono::minutes(10));
   }
@@ -87,7 +87,7 @@ TEST_F(GoToPlace, GivesUpADoorThatNobodyOpens) {
   Status status = Status::kRunning;
   while (status == Status::kRunning && scenario_.now() < start_ + std::chrono::minutes(10)) {
     scenario_.Answer(scenario_.LastCall().rfind("Say", 0) == 0);
-    scenario_.Advance(5);
+    scenario_.Advance(1);
     status = scenario_.Tick();
   }
   EXPECT_EQ(status, Status::kFailure);

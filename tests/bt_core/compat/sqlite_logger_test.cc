@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -130,6 +132,17 @@ TEST_F(SqliteFile, OthersSeeATickWhenItHasEnded) {
   BT::SqliteLogger logger(logged.tree, path, false);
   logged.tree.tickExactlyOnce();
   EXPECT_EQ(Ask("SELECT count(*) FROM Transitions"), (Rows{{"3"}}));
+}
+
+TEST_F(SqliteFile, WaitsForNoDiskWhileItRunsAndIsOneFileAfterwards) {
+  {
+    BT::SqliteLogger logger(logged.tree, path, false);
+    logged.tree.tickExactlyOnce();
+    EXPECT_EQ(Ask("PRAGMA journal_mode"), (Rows{{"wal"}}));  // commits do not sync
+  }
+  EXPECT_EQ(Ask("PRAGMA journal_mode"), (Rows{{"delete"}}));
+  const std::filesystem::directory_iterator files(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
 TEST_F(SqliteFile, WantsItsExtension) {

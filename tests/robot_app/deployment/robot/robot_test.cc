@@ -70,7 +70,7 @@ TEST_F(DeploymentTest, WithoutFaultsItPatrolsInOfficeHoursAndSpendsTheNightOnIts
 }
 
 TEST_F(DeploymentTest, APassingPersonIsWaitedForAndATrapIsLeftBackwards) {
-  OnlyFault(Fault::kBlockage, 3);
+  OnlyFault(Fault::kBlockage, 2);  // few enough that no trap follows another at once
   scenario_.blockage_passing = 0.5;
   scenario_.blockage_trap = 0.5;
   const Journal journal = Live(3);
@@ -83,7 +83,7 @@ TEST_F(DeploymentTest, APassingPersonIsWaitedForAndATrapIsLeftBackwards) {
   };
   EXPECT_GT(count("wait and retry"), 5);
   EXPECT_GT(count("move backwards"), 5);
-  EXPECT_TRUE(journal.requests.empty());
+  EXPECT_TRUE(journal.requests.empty()) << journal.requests.front().subject;
 }
 
 TEST_F(DeploymentTest, ItDoesNotMoveBackwardsBeforePeopleWhomItSees) {

@@ -1,4 +1,6 @@
-// Writes a database that Groot2 reads: tables Transitions, Nodes and Definitions.
+// Writes a database that Groot2 reads: tables Transitions, Nodes and Definitions. A tick is in it
+// when it has ended, without waiting for the disk; should the computer crash, the last ones are
+// not.
 #pragma once
 
 #include <cstdint>
