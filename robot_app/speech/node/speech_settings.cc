@@ -28,7 +28,7 @@ Parameters ParametersOf(SpeechSettings& settings) {
   return {{"knowledge", &settings.knowledge, "database of what it knows; none: only speaks"},
           {"site", &settings.site, "a folder, or sample: fills it if it is empty"},
           {"places", &settings.places, "of the ways to what is nearest; none: beelines"},
-          {"language", &settings.language, "en or de: it speaks so with who has said nothing yet"},
+          {"language", &settings.language, "en or de: for who has said nothing yet"},
           {"output", &settings.output, "alsa:DEVICE, folder:PATH (WAV files), or none"},
           {"microphone", &settings.microphone, "alsa:DEVICE or none"},
           {"push_to_talk", &settings.push_to_talk, "hears only while /speech/listen says so"},
@@ -47,7 +47,7 @@ Parameters ParametersOf(SpeechSettings& settings) {
           {"transcription_url", &ear.url, "of a service for the ear; none: pocketsphinx"},
           {"transcription_interface", &settings.interface, "of that service: openai or google"},
           {"transcription_model", &ear.model, "what the service calls it"},
-          {"understanding_url", &mind.url, "of a service that understands; none: it does itself"},
+          {"understanding_url", &mind.url, "of a service; none: it understands itself"},
           {"understanding_model", &mind.model, "what the service calls it"},
           {"service_timeout", &settings.service_timeout, 0.1, 1.8, "then it goes on offline [s]"}};
 }
