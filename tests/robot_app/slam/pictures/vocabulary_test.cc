@@ -76,7 +76,8 @@ TEST(Vocabulary, WhatWasSavedFindsTheSameWords) {
   ASSERT_TRUE(learnt.Save(folder.Path("words")));
   const auto read = Vocabulary::Load(folder.Path("words"));
   ASSERT_TRUE(read) << read.problem();
-  for (const Descriptor& corner : Pictures(5)[3]) {
+  const auto pictures = Pictures(5);
+  for (const Descriptor& corner : pictures[3]) {
     EXPECT_EQ(read->WordOf(corner), learnt.WordOf(corner));
   }
 }
