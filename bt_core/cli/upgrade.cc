@@ -14,13 +14,10 @@ namespace coppice {
 namespace {
 
 // Of the file and all that it includes; what is wrong with those is no matter here.
-TreeNames TreesOf(const std::string& path) {
-  TreeNames names;
+TreeNames TreesUsedByName(const std::string& path) {
   Diagnostics of_others;
-  if (const std::optional<Project> project = Project::FromFile(path, of_others)) {
-    for (const auto& [id, tree] : project->trees()) names.insert(id);
-  }
-  return names;
+  const std::optional<Project> project = Project::FromFile(path, of_others);
+  return project ? project->TreesUsedByName() : TreeNames();
 }
 
 // The whole new text, or nothing if the file cannot be read.
@@ -35,7 +32,8 @@ std::optional<std::string> Upgraded(const std::string& path) {
   const auto strict = document->Rewritten(StrictXmlEdit(*document), diagnostics);
   diagnostics = Diagnostics();  // from here on about the format
   const Document& readable = strict ? *strict : *document;
-  std::string text = Apply(UpgradeToFormat4(readable, diagnostics, TreesOf(path)), readable.text());
+  const TreeNames trees = IsFormat3(readable) ? TreesUsedByName(path) : TreeNames();
+  std::string text = Apply(UpgradeToFormat4(readable, diagnostics, trees), readable.text());
   std::cerr << diagnostics.ToString();
   return text;
 }

@@ -58,8 +58,10 @@ SqliteLogger::SqliteLogger(const Tree& tree, const std::filesystem::path& file, 
     throw RuntimeError("Cannot open database: ", why);
   }
   // What is committed with a tick waits for no disk: a robot's tick may not. A crash of the program
-  // loses nothing, one of the computer the last seconds.
-  Execute(db_, "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;");
+  // loses nothing, one of the computer the last seconds. Refused where the disk cannot do it, or
+  // somebody reads the file: then it is only slower.
+  sqlite3_exec(db_, "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL", nullptr, nullptr,
+               nullptr);
   Execute(db_, kTables);
   if (!append) {
     Execute(db_, "DELETE FROM Transitions; DELETE FROM Definitions; DELETE FROM Nodes;");

@@ -100,10 +100,7 @@ class ProjectReader {
   // What a document of format 3 uses as a node type may be a tree of a file that was read after it.
   // That adds and moves no element, so their numbers stay.
   void UpgradeTreesByTheirNames() {
-    TreeNames names;
-    for (const auto& [id, tree] : project_.trees_) {
-      if (!FindIn(project_.models_, id)) names.insert(id);
-    }
+    const TreeNames names = project_.TreesUsedByName();
     for (const auto& [number, document] : of_format_3_) {
       Diagnostics known;
       auto upgraded = document.Rewritten(UpgradeToFormat4(document, known, names), known);
@@ -296,6 +293,14 @@ std::optional<Project> Project::FromText(std::string text, const std::string& fi
 }
 
 const TreeDefinition* Project::Find(std::string_view id) const { return FindIn(trees_, id); }
+
+std::set<std::string, std::less<>> Project::TreesUsedByName() const {
+  std::set<std::string, std::less<>> names;
+  for (const auto& [id, tree] : trees_) {
+    if (!FindIn(models_, id)) names.insert(id);
+  }
+  return names;
+}
 
 const NodeModel* Project::SubTreeModel(std::string_view id) const {
   return FindIn(subtree_models_, id);

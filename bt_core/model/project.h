@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,6 +79,10 @@ class Project {
   /// The types that the files describe in <TreeNodesModel>, by ID. Models of SubTrees are not among
   /// them: a tree and a leaf of the same name are different things.
   const NodeModelMap& models() const { return models_; }
+
+  /// The trees that a file of format 3 may use as node types, by their IDs: of which no model says
+  /// that they are those of nodes.
+  std::set<std::string, std::less<>> TreesUsedByName() const;
 
   /// The models of SubTrees by the ID of their tree.
   const NodeModelMap& subtree_models() const { return subtree_models_; }

@@ -32,11 +32,11 @@ class Pace {
   /// The wall time that a step of `step` simulated seconds takes at `time` (simulated, as the
   /// stamps) and `wall` [s]. Whom nothing has been heard of for a while is not waited for.
   double Seconds(double step, double time, double wall) const {
+    if (speed_ > 0 && speed_ <= 1) return step / speed_;
     const bool is_late = std::any_of(sources_.begin(), sources_.end(), [&](const auto& source) {
       const Word& word = source.second;
       return wall - word.wall < kSilent && time - word.stamp > kLate;
     });
-    if (speed_ > 0 && speed_ <= 1) return step / speed_;
     if (is_late) return step;
     return speed_ > 0 ? step / speed_ : 0;
   }

@@ -53,6 +53,16 @@ TEST_F(UpgradeTest, WhatIsATreeOfAnotherFileBecomesASubTree) {
   EXPECT_NE(out_.find("<SubTree ID=\"B\"/>"), std::string::npos) << out_;
 }
 
+TEST_F(UpgradeTest, ANodeThatHasTheNameOfATreeStaysANode) {
+  Write("b.xml",
+        "<root><BehaviorTree ID='B'><A/></BehaviorTree>"
+        "<TreeNodesModel><Action ID='B'/></TreeNodesModel></root>");
+  const std::string file = Write(
+      "t.xml", "<root><include path='b.xml'/><BehaviorTree ID='M'><B/></BehaviorTree></root>");
+  EXPECT_EQ(Run(RunUpgrade, {file}), 0) << err_;
+  EXPECT_NE(out_.find("<B/>"), std::string::npos) << out_;
+}
+
 TEST_F(UpgradeTest, SaysWhatItCannotUpgradeAtItsPlaceInTheOldFile) {
   const std::string file =
       Write("t.xml",
