@@ -44,7 +44,7 @@ constexpr char kHelp[] =
     "              /velodyne_points (the 3-D lidar, while somebody subscribes)\n"
     "              /simulation/world (for coppice-simulated-cameras and evaluation, the same)\n"
     "  service     /simulation/inject_fault (coppice_msgs/InjectFault: breaks things)\n"
-    "Faster than real time it waits for a robot that is late.\n";
+    "Faster than real time it waits for a robot that is late, and /clock comes half as often.\n";
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr double kStep = 0.02;         // s of simulated time
@@ -191,9 +191,7 @@ class SimulatorNode {
     command_.reset();
     faults_.Update();
     stamp_ = ToRosTime(world_.time());
-    rosgraph_msgs::Clock clock;
-    clock.clock = stamp_;
-    clock_.publish(clock);
+    if (clock_due_.Due(world_.time())) PublishClock();
     PublishMotion();
     PublishScan();
     PublishCloud();
@@ -226,6 +224,12 @@ class SimulatorNode {
         publisher.publish(message);
       }
     }
+  }
+
+  void PublishClock() {
+    rosgraph_msgs::Clock message;
+    message.clock = stamp_;
+    clock_.publish(message);
   }
 
   void PublishMotion() {
@@ -374,6 +378,8 @@ class SimulatorNode {
   double cloud_time_ = -1;
   double echoes_time_ = -1;
   std::chrono::steady_clock::time_point lidar_rests_until_{};
+  // It wakes every program of the robot: more than half of all messages.
+  Every clock_due_{settings_.speed > 0 && settings_.speed <= 1 ? kStep : 2 * kStep};
   Every localization_due_{0.1};
   Every battery_due_{0.5};
   Every stop_due_{0.5};
