@@ -1,5 +1,4 @@
 // coppice-docking: the dock controller as the ROS node /docking.
-#include <actionlib/server/simple_action_server.h>
 #include <coppice_msgs/DockingAction.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Path.h>
@@ -9,9 +8,11 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt_core/base/outcome.h"
+#include "robot_app/common/actions/goal_server.h"
 #include "robot_app/common/battery_message.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
@@ -84,7 +85,8 @@ class DockingNode {
         tracker_(settings.landmark),
         controller_(settings.dock),
         pose_(settings.frames),
-        server_(node_, "docking", false) {
+        server_(
+            node_, "docking", [this](const auto& goal) { OnGoal(goal); }, [this] { OnCancel(); }) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
     seen_ = node_.advertise<geometry_msgs::PoseStamped>("/docking/station", 1);
     path_ = node_.advertise<nav_msgs::Path>("/docking/path", 1);
@@ -101,11 +103,7 @@ class DockingNode {
           scan_stamp_ = scan->stamp;
           LookForStation(*scan, message->header.stamp);
         }));
-    server_.registerGoalCallback([this] { OnGoal(); });
-    server_.registerPreemptCallback([this] {
-      if (!server_.isNewGoalAvailable()) OnCancel();
-    });
-    server_.start();
+    server_.Start();
     timer_ = node_.createTimer(ros::Duration(kControlPeriod),
                                [this](const ros::TimerEvent&) { Control(); });
   }
@@ -120,7 +118,7 @@ class DockingNode {
 
   // In every scan of a manoeuvre.
   void LookForStation(const LaserScan& scan, const ros::Time& stamp) {
-    if (!server_.isActive()) return;
+    if (!server_.is_active()) return;
     const auto base = pose_.InOdometry(stamp);
     if (!base) return;
     tracker_.AddScan(scan, base->pose, ExpectedStation());
@@ -176,13 +174,13 @@ class DockingNode {
     return input;
   }
 
-  void OnGoal() {
-    goal_ = server_.acceptNewGoal();
+  void OnGoal(const coppice_msgs::DockingGoal& goal) {
+    goal_ = goal;
     is_started_ = false;
     accepted_ = ros::Time::now().toSec();
     blind_for_ = 0;
     tracker_.Reset();
-    if (!(std::abs(goal_->lateral_offset) <= kLargestOffset)) {
+    if (!(std::abs(goal_.lateral_offset) <= kLargestOffset)) {
       Finish(false, "the lateral offset is too large");
     }
   }
@@ -195,22 +193,21 @@ class DockingNode {
   void Start(const DockInput& input) {
     if (is_started_) return;
     is_started_ = true;
-    if (goal_->press_on) {
+    if (goal_.press_on) {
       controller_.StartPressingOn(input);
-    } else if (goal_->dock) {
-      controller_.StartDocking(input, goal_->lateral_offset, goal_->attempts);
+    } else if (goal_.dock) {
+      controller_.StartDocking(input, goal_.lateral_offset, goal_.attempts);
     } else {
       controller_.StartUndocking(input);
     }
   }
 
   void OnCancel() {
-    if (!server_.isActive()) return;
     controller_.Cancel();
     command_.publish(geometry_msgs::Twist());
     coppice_msgs::DockingResult result;
     result.message = controller_.message();
-    server_.setPreempted(result, result.message);
+    server_.Cancel(result, result.message);
   }
 
   void Finish(bool ok, const std::string& message) {
@@ -219,10 +216,10 @@ class DockingNode {
     result.message = message;
     if (ok) {
       ROS_INFO("%s", message.c_str());
-      server_.setSucceeded(result, message);
+      server_.Succeed(result, message);
     } else {
       ROS_WARN("%s", message.c_str());
-      server_.setAborted(result, message);
+      server_.Abort(result, message);
     }
   }
 
@@ -235,8 +232,17 @@ class DockingNode {
     Finish(false, missing);
   }
 
+  void EndBecauseTimeWasSetBack() {
+    controller_.Cancel();
+    command_.publish(geometry_msgs::Twist());
+    Finish(false, "time was set back");
+  }
+
   void Control() {
-    if (!server_.isActive()) return;
+    const double last = std::exchange(controlled_, ros::Time::now().toSec());
+    if (!server_.is_active()) return;
+    // All that the manoeuvre waits for would last until that time has come again.
+    if (controlled_ < last) return EndBecauseTimeWasSetBack();
     const Expected<DockInput> input = Input();
     if (!input) return StandStill(input.problem());
     blind_for_ = 0;
@@ -246,14 +252,14 @@ class DockingNode {
     PublishPath();
     if (!controller_.active()) {
       const bool done = controller_.phase() == DockController::Phase::kDone;
-      if (done && goal_->dock) LearnStation();
+      if (done && goal_.dock) LearnStation();
       return Finish(done, controller_.message());
     }
     coppice_msgs::DockingFeedback feedback;
     feedback.phase = ToString(controller_.phase());
     feedback.failed_attempts = static_cast<std::uint8_t>(controller_.failed_attempts());
     feedback.why_failed = controller_.why_failed();
-    server_.publishFeedback(feedback);
+    server_.Publish(feedback);
   }
 
   DockSettings settings_;
@@ -267,10 +273,11 @@ class DockingNode {
   double battery_stamp_ = 0;        // [s]
   std::vector<Point2D> points_;
   double scan_stamp_ = 0;
-  actionlib::SimpleActionServer<coppice_msgs::DockingAction> server_;
-  coppice_msgs::DockingGoal::ConstPtr goal_;
+  GoalServer<coppice_msgs::DockingAction> server_;
+  coppice_msgs::DockingGoal goal_;
   bool is_started_ = false;  // the goal; else it waits for the sensors
   double accepted_ = 0;      // the goal [s]
+  double controlled_ = 0;    // last [s]
   double blind_for_ = 0;     // not all is known that the controller needs, since then [s]
   ros::Publisher command_, seen_, path_;
   std::vector<ros::Subscriber> subscribers_;

@@ -64,6 +64,16 @@ void Navigation::Restart(double now) {
   StartOver(now);
 }
 
+// What was seen and begun is of another time: obstacles would stay, and plans wait, until it has
+// come again.
+void Navigation::TimeWasSetBack(double now) {
+  obstacles_.Clear();
+  sonar_.Reset(map_.frame);
+  scan_.stamp = -HUGE_VAL;
+  status_since_ = now;
+  Restart(now);
+}
+
 void Navigation::StartOver(double now) {
   follower_.ClearPath();
   next_plan_ = now;
@@ -115,9 +125,13 @@ bool Navigation::SensorsFresh(double now, double pose_stamp) {
     fresh_at_ = now;
     return true;
   }
+  const char* const missing = pose_age >= scan_age ? "pose" : "laser scan";
   char text[80];
-  std::snprintf(text, sizeof text, "no %s for %.1f s", pose_age >= scan_age ? "pose" : "laser scan",
-                age);
+  if (std::isfinite(age)) {
+    std::snprintf(text, sizeof text, "no %s for %.1f s", missing, age);
+  } else {
+    std::snprintf(text, sizeof text, "no %s yet", missing);
+  }
   if (now - fresh_at_ > settings_.sensor_patience) {
     Finish(End::kAborted, now, text);
   } else {
@@ -128,6 +142,7 @@ bool Navigation::SensorsFresh(double now, double pose_stamp) {
 }
 
 Velocity2D Navigation::Update(double now, const Pose2D& pose, double pose_stamp) {
+  if (now < last_update_) TimeWasSetBack(now);
   const double seconds = last_update_ < 0 ? 0 : std::clamp(now - last_update_, 0.0, kLongestStep);
   last_update_ = now;
   end_ = End::kNone;

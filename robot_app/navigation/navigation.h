@@ -76,7 +76,9 @@ class Navigation {
   /// Adds to `points` what the sonars have heard near the robot at `pose`, in base_link.
   void AddHeard(const Pose2D& pose, std::vector<Point2D>& points) const;
 
-  /// The command for base_link from `now` [s] on. `pose` was true at `pose_stamp` [s].
+  /// The command for base_link from `now` [s] on. `pose` was true at `pose_stamp` [s]; -HUGE_VAL:
+  /// there is none yet. Where `now` goes back all waiting times start again and what was seen is
+  /// forgotten; the goal stays.
   Velocity2D Update(double now, const Pose2D& pose, double pose_stamp);
 
   /// The way from a pose to a point [m], around all obstacles that are known at `now`, for who
@@ -101,6 +103,7 @@ class Navigation {
  private:
   enum class Recovery : std::uint8_t { kNone, kForgetObstacles, kTurn };
 
+  void TimeWasSetBack(double now);
   void StartOver(double now);
   void SetStatus(NavigationStatus status, double now, std::string message);
   void Finish(End end, double now, std::string message);

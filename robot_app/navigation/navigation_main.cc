@@ -1,5 +1,4 @@
 // coppice-navigation: the library of this folder as the ROS node /navigation.
-#include <actionlib/server/simple_action_server.h>
 #include <coppice_msgs/MotionAction.h>
 #include <coppice_msgs/NavigationState.h>
 #include <move_base_msgs/MoveBaseAction.h>
@@ -10,10 +9,12 @@
 #include <std_msgs/Float64.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "robot_app/common/actions/goal_server.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/navigation/navigation.h"
@@ -84,26 +85,21 @@ class NavigationNode {
         navigation_(settings.navigation),
         motion_(settings.motion),
         pose_(settings.frames),
-        move_base_(node_, "move_base", false),
-        motion_server_(node_, "motion", false) {
+        move_base_(
+            node_, "move_base", [this](const auto& goal) { OnGoal(goal); }, [this] { OnCancel(); }),
+        motion_server_(
+            node_, "motion", [this](const auto& goal) { OnMotion(goal); },
+            [this] { EndMotion(false, "cancelled", true); }) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
     state_ = node_.advertise<coppice_msgs::NavigationState>("/navigation/state", 10);
     way_ = node_.advertise<std_msgs::Float64>("/navigation/way_to_station", 10);
     path_ = node_.advertise<nav_msgs::Path>("/navigation/path", 1, true);
     Subscribe();
-    move_base_.registerGoalCallback([this] { OnGoal(); });
-    move_base_.registerPreemptCallback([this] {
-      if (!move_base_.isNewGoalAvailable()) OnCancel();
-    });
-    motion_server_.registerGoalCallback([this] { OnMotion(); });
-    motion_server_.registerPreemptCallback([this] {
-      if (!motion_server_.isNewGoalAvailable()) EndMotion(false, "cancelled", true);
-    });
     make_plan_ = node_.advertiseService<nav_msgs::GetPlan::Request, nav_msgs::GetPlan::Response>(
         "move_base/make_plan",
         [this](auto& request, auto& response) { return MakePlan(request, response); });
-    move_base_.start();
-    motion_server_.start();
+    move_base_.Start();
+    motion_server_.Start();
     control_timer_ = node_.createTimer(ros::Duration(kControlPeriod),
                                        [this](const ros::TimerEvent&) { Control(); });
     state_timer_ = node_.createTimer(ros::Duration(kStatePeriod), [this](const ros::TimerEvent&) {
@@ -171,26 +167,23 @@ class NavigationNode {
   void OnSpeedLimit(double speed) {
     if (!(speed > 0)) return;  // nor NaN
     navigation_.LimitSpeed(speed);
-    speed_limit_ends_ = Now() + kSpeedLimitHolds;
+    speed_limit_at_ = Now();
   }
 
-  void OnGoal() {
-    const auto goal = move_base_.acceptNewGoal();
+  void OnGoal(const move_base_msgs::MoveBaseGoal& goal) {
     const auto refuse = [this](const std::string& why) {
       navigation_.Cancel(Now());
-      move_base_.setAborted({}, why);
+      move_base_.Abort({}, why);
       ROS_WARN("goal refused: %s", why.c_str());
     };
-    if (!IsValid(goal->target_pose.pose)) return refuse("the goal's pose is not valid");
-    const auto pose = pose_.InMap(goal->target_pose);
+    if (!IsValid(goal.target_pose.pose)) return refuse("the goal's pose is not valid");
+    const auto pose = pose_.InMap(goal.target_pose);
     if (!pose) {
-      return refuse("tf does not know the goal's frame " + goal->target_pose.header.frame_id);
+      return refuse("tf does not know the goal's frame " + goal.target_pose.header.frame_id);
     }
     ROS_INFO("goal (%.2f, %.2f, %.2f)", pose->x, pose->y, pose->yaw);
     navigation_.SetGoal(*pose, Now());
     busy_ = true;
-    // A preempt request that came before this goal was accepted still counts.
-    if (move_base_.isPreemptRequested()) OnCancel();
   }
 
   // As the service of move_base, which may be asked at any time here.
@@ -208,32 +201,29 @@ class NavigationNode {
   }
 
   void OnCancel() {
-    if (!move_base_.isActive()) return;
     navigation_.Cancel(Now());
-    move_base_.setPreempted({}, "cancelled");
+    move_base_.Cancel({}, "cancelled");
   }
 
-  void OnMotion() {
-    const auto goal = motion_server_.acceptNewGoal();
-    const bool blind = goal->distance > 0 && Now() - scan_stamp_ > 1;
+  void OnMotion(const coppice_msgs::MotionGoal& goal) {
+    const bool blind = goal.distance > 0 && Now() - scan_stamp_ > 1;
     if (Now() - odometry_stamp_ > 1) return EndMotion(false, "there is no odometry");
     if (blind) return EndMotion(false, "there is no laser scan");
-    motion_.Start(odometry_, goal->distance, goal->angle, goal->speed, commanded_);
+    motion_.Start(odometry_, goal.distance, goal.angle, goal.speed, commanded_);
     motion_update_ = Now();
     busy_ = true;
   }
 
   void EndMotion(bool ok, const std::string& message, bool cancelled = false) {
-    if (!motion_server_.isActive()) return;
     coppice_msgs::MotionResult result;
     result.ok = ok;
     result.message = message;
     if (cancelled) {
-      motion_server_.setPreempted(result, message);
+      motion_server_.Cancel(result, message);
     } else if (ok) {
-      motion_server_.setSucceeded(result, message);
+      motion_server_.Succeed(result, message);
     } else {
-      motion_server_.setAborted(result, message);
+      motion_server_.Abort(result, message);
       ROS_WARN("motion failed: %s", message.c_str());
     }
     // The robot has been moved by something else than the goal's path.
@@ -242,8 +232,9 @@ class NavigationNode {
 
   void Control() {
     const double now = Now();
-    if (now > speed_limit_ends_) navigation_.LimitSpeed(HUGE_VAL);
-    const Velocity2D velocity = motion_server_.isActive() ? MotionStep(now) : NavigationStep(now);
+    // Also where time was set back.
+    if (std::abs(now - speed_limit_at_) > kSpeedLimitHolds) navigation_.LimitSpeed(HUGE_VAL);
+    const Velocity2D velocity = motion_server_.is_active() ? MotionStep(now) : NavigationStep(now);
     Publish(velocity);
     if (navigation_.path_number() != published_path_) PublishPath();
     if (navigation_.status() != published_status_ || published_failures_ != Failures()) {
@@ -268,7 +259,7 @@ class NavigationNode {
     if (motion_.state() == RelativeMotion::State::kMoving) {
       coppice_msgs::MotionFeedback feedback;
       feedback.remaining = motion_.remaining();
-      motion_server_.publishFeedback(feedback);
+      motion_server_.Publish(feedback);
       return velocity;
     }
     EndMotion(motion_.state() == RelativeMotion::State::kDone, motion_.message());
@@ -277,22 +268,22 @@ class NavigationNode {
 
   Velocity2D NavigationStep(double now) {
     const auto pose = pose_.Newest();
-    const bool active = move_base_.isActive();
+    const bool active = move_base_.is_active();
     const Velocity2D velocity =
-        navigation_.Update(now, pose ? pose->pose : Pose2D(), pose ? pose->stamp : 0);
+        navigation_.Update(now, pose ? pose->pose : Pose2D(), pose ? pose->stamp : -HUGE_VAL);
     if (!active) return velocity;
     if (pose) {
       move_base_msgs::MoveBaseFeedback feedback;
       feedback.base_position.header.frame_id = settings_.frames.map;
       feedback.base_position.header.stamp = ros::Time(pose->stamp);
       feedback.base_position.pose = ToPoseMessage(pose->pose);
-      move_base_.publishFeedback(feedback);
+      move_base_.Publish(feedback);
     }
     if (navigation_.end() == Navigation::End::kReached) {
-      move_base_.setSucceeded({}, navigation_.message());
+      move_base_.Succeed({}, navigation_.message());
       ROS_INFO("%s", navigation_.message().c_str());
     } else if (navigation_.end() == Navigation::End::kAborted) {
-      move_base_.setAborted({}, navigation_.message());
+      move_base_.Abort({}, navigation_.message());
       ROS_WARN("goal aborted: %s", navigation_.message().c_str());
     }
     return velocity;
@@ -300,7 +291,7 @@ class NavigationNode {
 
   // Silent when idle, so that others may drive; the last command is always zero.
   void Publish(const Velocity2D& velocity) {
-    const bool working = move_base_.isActive() || motion_server_.isActive();
+    const bool working = move_base_.is_active() || motion_server_.is_active();
     const bool standing = velocity.linear == 0 && velocity.angular == 0;
     if (!busy_ && !working && standing) return;
     command_.publish(ToTwist(velocity));
@@ -363,15 +354,15 @@ class NavigationNode {
   Pose2D odometry_;
   double odometry_stamp_ = 0;
   double motion_update_ = 0;
-  double speed_limit_ends_ = 0;
-  Velocity2D commanded_;  // last
-  bool busy_ = false;     // commands are being published
+  double speed_limit_at_ = -kSpeedLimitHolds;  // when it was told
+  Velocity2D commanded_;                       // last
+  bool busy_ = false;                          // commands are being published
   int published_path_ = 0;
   NavigationStatus published_status_ = NavigationStatus::kIdle;
   std::uint32_t published_failures_ = 0;
 
-  actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction> move_base_;
-  actionlib::SimpleActionServer<coppice_msgs::MotionAction> motion_server_;
+  GoalServer<move_base_msgs::MoveBaseAction> move_base_;
+  GoalServer<coppice_msgs::MotionAction> motion_server_;
   ros::ServiceServer make_plan_;
   ros::Publisher command_;
   ros::Publisher state_;

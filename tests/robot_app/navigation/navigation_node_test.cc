@@ -136,13 +136,16 @@ class NavigationNode : public testing::Test {
   void StartRobot(const std::string& start, const std::vector<std::string>& navigation = {},
                   const std::vector<std::string>& simulator = {}) {
     ros::param::set("/use_sim_time", true);
-    std::vector<std::string> command = {kPrograms + "coppice-simulator", "_speed:=6",
-                                        "_start:=" + start, "_state_of_charge:=0.5"};
-    command.insert(command.end(), simulator.begin(), simulator.end());
-    simulator_ = ChildProcess(command, Log("simulator"));
-    command = {kPrograms + "coppice-navigation"};
+    StartSimulator(start, simulator);
+    std::vector<std::string> command = {kPrograms + "coppice-navigation"};
     command.insert(command.end(), navigation.begin(), navigation.end());
     navigation_ = ChildProcess(command, Log("navigation"));
+  }
+  void StartSimulator(const std::string& start, const std::vector<std::string>& arguments = {}) {
+    std::vector<std::string> command = {kPrograms + "coppice-simulator", "_speed:=6",
+                                        "_start:=" + start, "_state_of_charge:=0.5"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    simulator_ = ChildProcess(command, Log("simulator"));
   }
 
   ChildProcess simulator_;
@@ -396,6 +399,27 @@ TEST_F(NavigationNode, TellsWhetherADoorIsOpenWithoutMoving) {
   EXPECT_TRUE(InjectFault("open_door", "door_103"));
   EXPECT_TRUE(Eventually(way_in, kPatience));
   EXPECT_FALSE(listener.driving);
+}
+
+// Its goals are older than those before, as far as their stamps say.
+TEST_F(NavigationNode, TakesGoalsAlsoAfterTheSimulatorHasBegunTimeAnew) {
+  StartRobot("4 0 0");
+  Listener listener;
+  const auto now = [&] { return listener.State().header.stamp.toSec(); };
+  ASSERT_TRUE(Eventually([&] { return now() > 1; }, kPatience));
+  const double begin = now();
+  Client<move_base_msgs::MoveBaseAction> move_base("move_base");
+  ASSERT_TRUE(Eventually([&] { return FindsAWay(5, 0) && now() > begin + 20; }, kPatience));
+  move_base.Send(Goal(5, 0));
+  ASSERT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED) << move_base->getState().getText();
+
+  kill(simulator_.pid(), SIGKILL);
+  ASSERT_TRUE(Eventually([&] { return !simulator_.IsRunning(); }, kPatience));
+  StartSimulator("4 0 0");
+  ASSERT_TRUE(Eventually([&] { return now() < begin + 15; }, kPatience));
+  ASSERT_TRUE(Eventually([] { return FindsAWay(5, 0); }, kPatience));
+  move_base.Send(Goal(5.5, 0));
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED) << move_base->getState().getText();
 }
 
 TEST_F(NavigationNode, SaysNothingOfAWayWhereNoneLeadsToTheStation) {

@@ -198,6 +198,24 @@ TEST_F(BlockedCorridor, GivesUpAfterItsRecoveriesAndSaysWhy) {
   EXPECT_EQ(navigation_.consecutive_failures(), 1);
 }
 
+TEST_F(BlockedCorridor, GivesUpInTimeAlsoWhereTimeIsSetBack) {
+  WithDetour(false);
+  Begin({2, 1, 0}, {10, 1, 0});
+  Block();
+  Drive(30, [this] { return navigation_.status() == NavigationStatus::kNoPath; });
+  ASSERT_EQ(navigation_.status(), NavigationStatus::kNoPath);
+  now_ -= 90;
+  EXPECT_EQ(Drive(60), End::kAborted);
+}
+
+TEST_F(NavigationTest, DrivesOnAtOnceWhereTimeIsSetBack) {
+  Begin({1, 1, 0}, {10, 4, 0});
+  Drive(5);
+  now_ -= 90;
+  pose_ = {1, 5, M_PI};  // the simulator that began anew has put it elsewhere
+  EXPECT_EQ(Drive(60), End::kReached);
+}
+
 TEST_F(BlockedCorridor, CountsFailuresUntilAGoalIsReached) {
   WithDetour(false);
   Begin({1, 1, 0}, {10, 1, 0});
