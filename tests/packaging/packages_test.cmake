@@ -6,9 +6,10 @@ cmake_minimum_required(VERSION 3.16)
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
-# Packed quickly: how small they are is not what is tested.
+# Packed quickly: how small they are is not what is tested, and what the robot's many programs depend on takes as long
+# as all else; clean_root.sh installs by it.
 run(cpack --config ${BUILD}/CPackConfig.cmake -D CPACK_DEBIAN_COMPRESSION_TYPE=zstd
-  -B ${WORK}/packages)
+  -D CPACK_DEBIAN_ROBOT_PACKAGE_SHLIBDEPS=OFF -B ${WORK}/packages)
 set(expected coppice libcoppice-dev coppice-btcpp-compat)
 if(EDITOR)
   list(APPEND expected coppice-editor)
