@@ -78,6 +78,11 @@ std::string NeedsRobot(EditorState& state) {
   const RunView* run = state.workspace.run();
   return run && run->source().is_robot() ? "" : "no robot is shown";
 }
+std::string NeedsPictures(EditorState& state) {
+  const std::string why = NeedsRun(state);
+  if (!why.empty()) return why;
+  return state.workspace.run()->pictures().empty() ? "the robot shows nothing to people" : "";
+}
 std::string NeedsSimulation(EditorState& state) {
   const bool is_shown = SimulationEditor(state, state.now).IsShown();
   return is_shown ? "" : "no simulation is shown: F5 begins one";
@@ -186,6 +191,7 @@ constexpr CommandNeed kNeeds[] = {{"file.recent", NeedsRecent},
                                   {"run.force_running", NeedsNode},
                                   {"run.force_skipped", NeedsNode},
                                   {"run.delay", NeedsNode},
+                                  {"run.pictures", NeedsPictures},
                                   {"run.pause", NeedsRobot},
                                   {"run.continue", NeedsRobot},
                                   {"run.step_tick", NeedsRobot},

@@ -260,6 +260,7 @@ class RunCommands {
     AddTab("run.statistics", "Statistics", {'S'}, RunTab::kStatistics);
     AddTab("run.comparison", "Comparison", {}, RunTab::kComparison);
     AddTab("run.table", "Table: the shown key, or the robot's processes", {'Y'}, RunTab::kTable);
+    AddTab("run.pictures", "Face: what the robot shows to people now", {'V'}, RunTab::kPictures);
     AddTab("run.coverage", "Coverage by random runs", {}, RunTab::kCoverage);
     Add("run.follow", "Follow what runs", {'F'},
         [&s = state_](RunView&) { s.run.follow.is_on = !s.run.follow.is_on; });

@@ -14,35 +14,49 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 }  // namespace
 
-bool LiveQueue::empty() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return letters_.all.empty();
-}
-
-void LiveQueue::Put(Letter letter) {
+template <class Add>
+void LiveQueue::Change(const Add& add) {
   bool was_empty = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    was_empty = letters_.all.empty();
-    letters_.all.push_back(std::move(letter));
+    was_empty = letters_.empty();
+    add();
   }
   if (was_empty && wake_) wake_();
+}
+
+bool LiveQueue::empty() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return letters_.empty();
+}
+
+void LiveQueue::Put(Letter letter) {
+  Change([&] { letters_.all.push_back(std::move(letter)); });
 }
 
 void LiveQueue::PutReply(LiveClient::ReplyHandler on_reply, LiveReply reply) {
   if (on_reply) Put(Reply{std::move(on_reply), std::move(reply)});
 }
 
+// What a robot showed that is gone, nobody needs to see.
+void LiveQueue::OnConnection(const LiveConnection& connection) {
+  Change([&] {
+    if (!connection.is_live) letters_.pictures.Clear();
+    letters_.all.emplace_back(connection);
+  });
+}
+
+// What is too much beside the others is of a robot that keeps no limits.
+void LiveQueue::OnPicture(const LivePicture& picture) {
+  Change([&] { static_cast<void>(letters_.pictures.Put(picture)); });
+}
+
 void LiveQueue::OnTick(const TickEvents& events) {
-  bool was_empty = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    was_empty = letters_.all.empty();
+  Change([&] {
     letters_.all.push_back(Tick{events, letters_.words.size()});
     letters_.words.insert(letters_.words.end(), events.words.data,
                           events.words.data + events.words.size);
-  }
-  if (was_empty && wake_) wake_();
+  });
 }
 
 void LiveQueue::Deliver(LiveListener& listener) {
@@ -71,6 +85,7 @@ void LiveQueue::Hand(const Letters& letters, LiveListener& listener) {
                  [&](const HistoryEnd& end) { listener.OnEnd(end); },
                  [](const Reply& reply) { reply.handler(reply.reply); }};
   for (const Letter& letter : letters.all) std::visit(hand, letter);
+  for (const auto& [name, picture] : letters.pictures.all()) listener.OnPicture(picture);
 }
 
 }  // namespace coppice::editor

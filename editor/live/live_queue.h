@@ -23,9 +23,10 @@ class LiveQueue final : public LiveListener {
   /// Any thread: calls the handler in the next Deliver.
   void PutReply(LiveClient::ReplyHandler on_reply, LiveReply reply);
 
-  void OnConnection(const LiveConnection& connection) override { Put(connection); }
+  void OnConnection(const LiveConnection& connection) override;
   void OnNotice(const LiveNotice& notice) override { Put(notice); }
   void OnForeignHooks(const std::vector<ForeignHook>& hooks) override { Put(hooks); }
+  void OnPicture(const LivePicture& picture) override;
   void OnTree(const TreeDescription& tree) override { Put(tree); }
   void OnState(const HistoryState& state) override { Put(state); }
   void OnTick(const TickEvents& events) override;
@@ -48,8 +49,14 @@ class LiveQueue final : public LiveListener {
   struct Letters {
     std::vector<Letter> all;
     std::vector<std::uint32_t> words;
+    PictureSet pictures;  // the newest; handed behind the others
+
+    bool empty() const { return all.empty() && pictures.empty(); }
   };
 
+  // Has it added under the lock, and wakes whoever may wait for it.
+  template <class Add>
+  void Change(const Add& add);
   void Put(Letter letter);
   static void Hand(const Letters& letters, LiveListener& listener);
 

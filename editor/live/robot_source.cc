@@ -25,6 +25,7 @@ LiveClientOptions RobotSource::DefaultOptions() {
   LiveClientOptions options;
   options.name = "coppice-edit";
   options.token = TokenFromEnvironment();
+  options.with_pictures = true;
   return options;
 }
 

@@ -140,6 +140,7 @@ void RunView::Mark(const HookList& hooks) {
 }
 
 void RunView::OnConnection(const LiveConnection& connection) {
+  if (connection_.is_live && !connection.is_live) pictures_.Clear();
   connection_ = connection;
   was_live_ = was_live_ || connection.is_live;
   if (connection.is_live) return;

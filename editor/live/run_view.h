@@ -68,6 +68,9 @@ class RunView final : private LiveListener {
   /// Those that others have left in the robot.
   const std::vector<ForeignHook>& foreign_hooks() const { return foreign_hooks_; }
 
+  /// What the robot shows to people now, whichever tick is shown; nothing while it does not answer.
+  const PictureSet& pictures() const { return pictures_; }
+
   /// Why the last command was refused, or what came of it; empty after it was read.
   std::string TakeAnswer() { return std::exchange(answer_, {}); }
   /// Tells the robot; what is wrong becomes the answer, and `on_refusal` is called.
@@ -77,6 +80,9 @@ class RunView final : private LiveListener {
   void OnConnection(const LiveConnection& connection) override;
   void OnNotice(const LiveNotice& notice) override;
   void OnForeignHooks(const std::vector<ForeignHook>& hooks) override { foreign_hooks_ = hooks; }
+  void OnPicture(const LivePicture& picture) override {
+    static_cast<void>(pictures_.Put(picture));  // within the limits, or not shown
+  }
   void OnTree(const TreeDescription& tree) override { run_.OnTree(tree); }
   void OnState(const HistoryState& state) override { run_.OnState(state); }
   void OnTick(const TickEvents& events) override { run_.OnTick(events); }
@@ -93,6 +99,7 @@ class RunView final : private LiveListener {
   std::shared_ptr<const NodeModels> known_;
   RunHooks hooks_{*source_};
   std::vector<ForeignHook> foreign_hooks_;
+  PictureSet pictures_;
   LiveConnection connection_;
   bool was_live_ = false;
   bool was_loading_ = true;

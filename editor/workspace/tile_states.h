@@ -131,7 +131,8 @@ enum class RunTab {
   kComparison,
   kCoverage,
   kLog,
-  kTable
+  kTable,
+  kPictures
 };
 
 /// By which column a table is sorted; empty: as it came.

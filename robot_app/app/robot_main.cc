@@ -14,6 +14,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_nodes/register_nodes.h"
+#include "robot_app/app/face_pictures.h"
 #include "robot_app/app/robot_figures.h"
 #include "robot_app/app/tree_link.h"
 #include "robot_app/app/tree_runner.h"
@@ -128,7 +129,8 @@ class Robot {
         phrases_(PhrasesOf(options)),
         supervisors_(node),
         recoveries_(node, clock_),
-        figures_(node, PageOf(options)) {
+        figures_(node, PageOf(options)),
+        face_pictures_(node) {
     const int port = static_cast<int>(options.Whole("--live-port", 1667));
     application_ = MakeRunner(options, "application", port, false);
     monitor_ = MakeRunner(options, "monitor", port > 0 ? port + 2 : 0, true);
@@ -187,6 +189,7 @@ class Robot {
     TreeRunnerOptions runner;
     runner.name = name;
     runner.live_port = port;
+    runner.pictures = face_pictures_.pictures();
     runner.listener = forever ? figures_.monitor() : figures_.application();
     if (const char* token = std::getenv("COPPICE_LIVE_TOKEN")) runner.live_token = token;
     runner.run.forever = forever;
@@ -268,6 +271,7 @@ class Robot {
   adapters::RosSupervisors supervisors_;
   adapters::RosRecoveryLog recoveries_;
   RobotFigures figures_;  // before the trees, which it listens to
+  FacePictures face_pictures_;
   TreeLink link_;
   ros::Publisher status_, heartbeat_, diagnostics_;
   std::unique_ptr<TreeRunner> application_;

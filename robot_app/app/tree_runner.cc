@@ -58,6 +58,7 @@ void TreeRunner::OpenSocket() {
   live.port = static_cast<std::uint16_t>(options_.live_port);
   live.token = options_.live_token;
   live.read_only = live.token.empty();
+  live.pictures = options_.pictures;
   live.on_note = [this](const HistoryNote& note) {
     if (recorder_) recorder_->Note(note.time, note.kind, note.text);
   };

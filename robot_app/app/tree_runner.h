@@ -14,6 +14,7 @@
 #include "bt_core/base/outcome.h"
 #include "bt_core/engine/events/event_stream.h"
 #include "bt_core/engine/runner.h"
+#include "bt_core/live/pictures/live_pictures.h"
 #include "bt_core/live/server/live_publisher.h"
 #include "bt_core/record/recorder.h"
 
@@ -27,6 +28,8 @@ struct TreeRunnerOptions {
   int live_port = 0;
   /// For those who may stop and change the tree by the live socket; without it nobody may.
   std::string live_token;
+  /// What the robot shows to people, for those who watch the tree; null: nothing.
+  std::shared_ptr<const LivePictures> pictures;
   /// Gets all events of the tree; must live longer than the runner. Null: none.
   EventListener* listener = nullptr;
   RunOptions run;

@@ -29,6 +29,7 @@ class ToldSource : public RunSource {
   void Connect() { TellConnection(is_robot_, ""); }
   void Disconnect(const std::string& why) { TellConnection(false, why); }
 
+  void Show(const LivePicture& picture) { queue_.OnPicture(picture); }
   void TellForeignHooks(const std::vector<ForeignHook>& hooks) { queue_.OnForeignHooks(hooks); }
 
   std::vector<LiveCommand> commands;  ///< that it was sent

@@ -30,7 +30,16 @@ class Listener final : public LiveListener {
     Require(node == kNoNode || node < check.nodes());
   }
 
+  void OnPicture(const LivePicture& picture) override {
+    Require(pictures_.Put(picture).ok() && !picture.rgb.empty());
+  }
+
+  void ForgetPictures() { pictures_.Clear(); }
+
   HistoryCheck check;
+
+ private:
+  PictureSet pictures_;
 };
 
 // A client with a robot that says what the fuzzer wants.
@@ -78,6 +87,7 @@ class Talk {
  private:
   void Connect() {
     asked_.clear();
+    listener_.ForgetPictures();
     const auto sender = [this](const Parts& parts) {
       const bool wants_reply = parts[0].find_first_not_of('\0', 2) != std::string::npos;
       if (wants_reply) asked_.push_back(parts[0]);
@@ -141,7 +151,11 @@ class Talk {
   std::string Header(char type) const { return {'\2', type, '\0', '\0', '\0', '\0'}; }
 
   const bool is_groot2_;
-  const LiveClientOptions options_;
+  const LiveClientOptions options_ = [] {
+    LiveClientOptions options;
+    options.with_pictures = true;
+    return options;
+  }();
   Listener listener_;
   ClientHistory history_{listener_};
   Groot2History groot2_{listener_, "robot"};

@@ -160,10 +160,13 @@ std::string SomeBtlog() {
 std::string SomeRequests() { return kRequests; }
 
 std::string SomeTalk() {
-  return "C" + Say('R', R"({"protocol":1,"trees":[{"tree":0,"name":"Main"}]})") +
+  return "C" + Say('R', R"({"protocol":1,"pictures":true,"trees":[{"tree":0,"name":"Main"}]})") +
+         Say('R', "{}") +
          Say('R', R"({"subscription":0,"run":"11111111111111111111111111111111","next":0})") +
          Say('F', SomeHistory()) + Say('c', std::string("\0", 1)) + Say('R', "{}") +
          Say('E', R"({"event":"stopped","tree":0,"stop":{"where":"before","node":1,"hook":2}})") +
+         Say('E',
+             R"({"event":"picture","name":"face","width":2,"height":1,"rgb":"00ff10203040"})") +
          Say('c', "\4top") + Say('R', R"({"hook":3,"remark":"so"})") +
          Say('E', R"({"event":"trees","trees":[{"tree":0,"name":"Main"},{"tree":1}]})") +
          Say('\x14', "") + Say('c', "\3") + Say('R', R"({"error":"no"})") + Say('F', Ticks(5, 7)) +

@@ -127,6 +127,7 @@ void ClientExtension::OnHello(const std::string& json) {
   if (!reply) return Fail(reply.problem());
   connection_.refusal = std::move(reply->refusal);
   connection_.trees = std::move(reply->trees);
+  if (reply->has_pictures && options_.with_pictures) Ask(WriteSimple("pictures"), nullptr);
   Subscribe();
 }
 
@@ -208,6 +209,7 @@ void ClientExtension::OnNotice(const Parts& parts) {
   NoticeMessage message = ReadNotice(parts[1]);
   if (message.event == "released") return Fail("the robot has given this client up");
   if (message.event == "trees") return OnTrees(message.trees);
+  if (message.event == "picture") return OnPicture(std::move(message.picture));
   if (message.tree != connection_.tree) return;
   if (early_notices_.size() == kMostEarlyNotices) early_notices_.erase(early_notices_.begin());
   early_notices_.push_back(std::move(message.notice));
@@ -222,6 +224,14 @@ void ClientExtension::TellNotices() {
     if (node >= history_.nodes()) node = kNoNode;
     listener_.OnNotice(notice);
   }
+}
+
+// What keeps no limits may be of a newer robot: it is not shown, and the tree is watched all the
+// same.
+void ClientExtension::OnPicture(LivePicture picture) {
+  if (!options_.with_pictures) return;
+  const std::string name = picture.name;
+  if (pictures_.Put(std::move(picture))) listener_.OnPicture(pictures_.all().at(name));
 }
 
 void ClientExtension::OnTrees(const std::vector<std::string>& trees) {

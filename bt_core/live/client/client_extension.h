@@ -40,6 +40,7 @@ class ClientExtension final : public ClientSession {
   void OnFrames(const Parts& parts);
   void OnNotice(const Parts& parts);
   void TellNotices();
+  void OnPicture(LivePicture picture);
   void OnTrees(const std::vector<std::string>& trees);
   bool ChooseTree();
 
@@ -53,6 +54,7 @@ class ClientExtension final : public ClientSession {
   std::uint32_t subscription_ = 0;
   bool is_subscribing_ = false;
   bool is_subscribed_ = false;
+  PictureSet pictures_;
   std::vector<LiveNotice> early_notices_;  // those that came before the tree
   Duration heard_{0};
   Duration looked_{0};  // when it was last asked what is due

@@ -78,6 +78,29 @@ DebugStop StopOf(const Json& json) {
   return stop;
 }
 
+// What is too large for it becomes 0, which no picture has.
+std::uint32_t SideOf(const Json& json, const char* member) {
+  const std::uint64_t side = NumberOf(json, member);
+  return side <= PictureSet::kMostPixels ? static_cast<std::uint32_t>(side) : 0;
+}
+
+// Empty if they are none.
+std::vector<std::uint8_t> ReadHex(std::string_view digits) {
+  std::vector<std::uint8_t> bytes(digits.size() / 2);
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    const std::size_t value = kDigits.find(digits[i]);
+    if (value == std::string_view::npos || digits.size() % 2 != 0) return {};
+    bytes[i / 2] = static_cast<std::uint8_t>(bytes[i / 2] << 4 | value);
+  }
+  return bytes;
+}
+
+LivePicture PictureOf(const Json& json) {
+  return {TextOf(json, "name"), TextOf(json, "text"), SideOf(json, "width"), SideOf(json, "height"),
+          ReadHex(TextOf(json, "rgb"))};
+}
+
 Json WriteHookRequest(const Hook& hook) {
   Json json = {{"do", "hook"}};
   if (hook.path.empty()) {
@@ -173,7 +196,9 @@ Expected<HelloReply> ReadHello(std::string_view text) {
     return Problem{"the robot speaks version " + std::to_string(protocol) +
                    " of the live protocol, this program version " + std::to_string(kProtocol)};
   }
-  return HelloReply{TextOf(json, "control"), TreesOf(json)};
+  const auto pictures = json.find("pictures");
+  return HelloReply{TextOf(json, "control"), TreesOf(json),
+                    pictures != json.end() && *pictures == true};
 }
 
 Expected<SubscribeReply> ReadSubscribe(std::string_view text) {
@@ -201,6 +226,10 @@ NoticeMessage ReadNotice(std::string_view text) {
   message.event = TextOf(json, "event");
   message.tree = NumberOf(json, "tree");
   message.trees = TreesOf(json);
+  if (message.event == "picture") {
+    message.picture = PictureOf(json);
+    return message;
+  }
   DebugEvent& event = message.notice.event;
   event.kind = message.event == "resumed"    ? DebugEvent::Kind::kResumed
                : message.event == "replaced" ? DebugEvent::Kind::kReplaced
@@ -216,14 +245,9 @@ NoticeMessage ReadNotice(std::string_view text) {
 }
 
 RunId ReadRunId(std::string_view digits) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
+  const std::vector<std::uint8_t> bytes = ReadHex(digits);
   RunId run{};
-  if (digits.size() != run.size() * 2) return run;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    const std::size_t value = kDigits.find(digits[i]);
-    if (value == std::string_view::npos) return RunId{};
-    run[i / 2] = static_cast<std::uint8_t>(run[i / 2] << 4 | value);
-  }
+  if (bytes.size() == run.size()) std::copy(bytes.begin(), bytes.end(), run.begin());
   return run;
 }
 

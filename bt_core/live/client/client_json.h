@@ -30,6 +30,7 @@ std::string WriteSimple(const char* what);
 struct HelloReply {
   std::string refusal;
   std::vector<std::string> trees;
+  bool has_pictures = false;
 };
 Expected<HelloReply> ReadHello(std::string_view json);
 
@@ -50,6 +51,7 @@ struct NoticeMessage {
   std::size_t tree = 0;
   LiveNotice notice;               ///< of stopped, resumed, replaced, refused
   std::vector<std::string> trees;  ///< of trees
+  LivePicture picture;             ///< of picture; as it was sent, so perhaps none
 };
 NoticeMessage ReadNotice(std::string_view json);
 

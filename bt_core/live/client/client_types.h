@@ -13,6 +13,7 @@
 #include "bt_core/base/outcome.h"
 #include "bt_core/frames/history.h"
 #include "bt_core/live/debug/debugger_hooks.h"
+#include "bt_core/live/pictures/picture_set.h"
 
 namespace coppice {
 
@@ -24,6 +25,8 @@ struct LiveClientOptions {
   std::string tree;
   /// Begin with the past that the robot has kept, or with the present.
   bool with_past = true;
+  /// Be told what the robot shows to people, if it shows something.
+  bool with_pictures = false;
   /// Never use the extension of the protocol, whatever the robot knows.
   bool groot2_only = false;
 
@@ -102,6 +105,9 @@ class LiveListener : public HistoryHandler {
   virtual void OnNotice(const LiveNotice&) {}
   /// All that are there; whenever they have become others.
   virtual void OnForeignHooks(const std::vector<ForeignHook>&) {}
+  /// The robot shows this to people now, in the place of what had the same name. All of a
+  /// connection together keep the limits of a PictureSet, and those of the next begin anew.
+  virtual void OnPicture(const LivePicture&) {}
   /// The bytes of a frame of the history, after the calls that its content led to. A Groot2 robot
   /// sends none.
   virtual void OnFrame(const std::uint8_t*, std::size_t) {}

@@ -36,6 +36,7 @@ const ExtensionRequest::Kind ExtensionRequest::kKinds[] = {
     {"unsubscribe", false, false, &ExtensionRequest::Unsubscribe},
     {"statistics", false, false, &ExtensionRequest::Statistics},
     {"hooks", false, false, &ExtensionRequest::ListHooks},
+    {"pictures", false, false, &ExtensionRequest::SendPictures},
     {"write", true, true, &ExtensionRequest::Write},
     {"pause", true, true, &ExtensionRequest::Pause},
     {"step", true, true, &ExtensionRequest::Step},
@@ -99,6 +100,11 @@ std::shared_ptr<LiveTree> ExtensionRequest::SharedTree() const {
 Json ExtensionRequest::Trees() { return {{"trees", ListTrees(trees_)}}; }
 
 Json ExtensionRequest::Ping() { return Json::object(); }
+
+Json ExtensionRequest::SendPictures() {
+  session_.pictures_seen = 0;
+  return Json::object();
+}
 
 Json ExtensionRequest::Subscribe() {
   const std::shared_ptr<LiveTree> tree = SharedTree();

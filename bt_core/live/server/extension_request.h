@@ -56,6 +56,7 @@ class ExtensionRequest {
   Json RemoveHook();
   Json EnableHook();
   Json ListHooks();
+  Json SendPictures();
 
   static const Kind& KindOf(const std::string& what);
   void CheckAllowed(const Kind& kind) const;

@@ -29,7 +29,7 @@ std::int64_t Milliseconds(Duration duration) {
   return std::chrono::duration_cast<std::chrono::milliseconds>(duration).count();
 }
 
-Json Greet(const LiveTrees& trees, bool may_control, Duration deadline) {
+Json Greet(const LiveTrees& trees, bool may_control, Duration deadline, bool has_pictures) {
   Outcome permission;
   if (!trees.empty()) permission = trees.begin()->second->Permission();
   if (!may_control) permission = Problem{"this client may watch, not control"};
@@ -37,13 +37,25 @@ Json Greet(const LiveTrees& trees, bool may_control, Duration deadline) {
                {"coppice", kVersion},
                {"role", may_control ? "control" : "read"},
                {"deadline_ms", Milliseconds(deadline)},
-               {"trees", ListTrees(trees)}};
+               {"trees", ListTrees(trees)},
+               {"pictures", has_pictures}};
   if (permission) {
     json["control"] = true;
   } else {
     json["control"] = permission.problem();
   }
   return json;
+}
+
+std::string ToHex(const std::vector<std::uint8_t>& bytes) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string hex;
+  hex.reserve(2 * bytes.size());
+  for (const std::uint8_t byte : bytes) {
+    hex += kDigits[byte >> 4];
+    hex += kDigits[byte & 15];
+  }
+  return hex;
 }
 
 }  // namespace
@@ -57,7 +69,7 @@ ExtensionService::Answer ExtensionService::Serve(ClientId client, bool may_contr
       Session* const session = sessions_.Open(client, may_control, now);
       if (!session) throw RequestError("too many clients");
       session->name = json.value("name", "");
-      return {Print(Greet(trees_, may_control, deadline_))};
+      return {Print(Greet(trees_, may_control, deadline_, has_pictures_))};
     }
     Session* const session = sessions_.Find(client);
     if (!session) throw RequestError("say hello first");
@@ -105,6 +117,15 @@ std::string ExtensionService::DescribeRelease() const {
   return Print({{"event", "released"},
                 {"text", "nothing was heard from this client for " +
                              std::to_string(Milliseconds(deadline_)) + " ms; say hello again"}});
+}
+
+std::string ExtensionService::Describe(const LivePicture& picture) {
+  return Print({{"event", "picture"},
+                {"name", picture.name},
+                {"text", picture.text},
+                {"width", picture.width},
+                {"height", picture.height},
+                {"rgb", ToHex(picture.rgb)}});
 }
 
 }  // namespace coppice

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "bt_core/live/pictures/picture_set.h"
 #include "bt_core/live/server/live_sessions.h"
 
 namespace coppice {
@@ -13,8 +14,10 @@ inline constexpr int kExtensionVersion = 1;
 
 class ExtensionService {
  public:
-  ExtensionService(const LiveTrees& trees, LiveSessions& sessions, Duration deadline)
-      : trees_(trees), sessions_(sessions), deadline_(deadline) {}
+  /// `has_pictures`: there are some for those who ask for them.
+  ExtensionService(const LiveTrees& trees, LiveSessions& sessions, Duration deadline,
+                   bool has_pictures = false)
+      : trees_(trees), sessions_(sessions), deadline_(deadline), has_pictures_(has_pictures) {}
 
   struct Answer {
     std::string json;
@@ -28,11 +31,13 @@ class ExtensionService {
   std::string Describe(std::uint32_t tree, const DebugEvent& event) const;
   std::string DescribeTrees() const;
   std::string DescribeRelease() const;
+  static std::string Describe(const LivePicture& picture);
 
  private:
   const LiveTrees& trees_;
   LiveSessions& sessions_;
   const Duration deadline_;
+  const bool has_pictures_;
 };
 
 }  // namespace coppice

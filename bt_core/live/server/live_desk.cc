@@ -33,8 +33,12 @@ Parts MakePush(std::uint32_t subscription, const RunId& run, const Push& push) {
 
 }  // namespace
 
-LiveDesk::LiveDesk(LiveOutbox& outbox, Duration deadline)
-    : outbox_(outbox), deadline_(deadline), extension_(trees_, sessions_, deadline) {}
+LiveDesk::LiveDesk(LiveOutbox& outbox, Duration deadline,
+                   std::shared_ptr<const LivePictures> pictures)
+    : outbox_(outbox),
+      deadline_(deadline),
+      pictures_(std::move(pictures)),
+      extension_(trees_, sessions_, deadline, pictures_ != nullptr) {}
 
 LiveDesk::~LiveDesk() = default;
 
@@ -91,6 +95,7 @@ Duration LiveDesk::Attend(Duration now, Duration heard_until) {
   TellChangedTrees();
   ReleaseWaiting(now);
   Expire(std::max(heard_until, now - deadline_));
+  ShowPictures();
   const Progress progress = PushAll();
   if (progress == Progress::kMore) return now;
   return now + (progress == Progress::kBlocked ? kShortWait : std::min(kLongWait, deadline_ / 4));
@@ -112,9 +117,12 @@ void LiveDesk::TellChangedTrees() {
   if (changed) Notify(extension_.DescribeTrees());
 }
 
+Parts LiveDesk::NoticeOf(const std::string& json) const {
+  return groot2::MakeReply({static_cast<groot2::RequestType>(kNotice), 0, {}}, server_id_, json);
+}
+
 void LiveDesk::Notify(const std::string& notice) {
-  const Parts parts =
-      groot2::MakeReply({static_cast<groot2::RequestType>(kNotice), 0, {}}, server_id_, notice);
+  const Parts parts = NoticeOf(notice);
   std::vector<ClientId> gone;
   for (const auto& [client, session] : sessions_.all()) {
     if (outbox_.Send(client, parts) == SendResult::kGone) gone.push_back(client);
@@ -138,9 +146,26 @@ void LiveDesk::Expire(Duration heard_until) {
   }
   for (const ClientId client : dead) {
     sessions_.Close(client);
-    outbox_.Send(client, groot2::MakeReply({static_cast<groot2::RequestType>(kNotice), 0, {}},
-                                           server_id_, extension_.DescribeRelease()));
+    outbox_.Send(client, NoticeOf(extension_.DescribeRelease()));
   }
+}
+
+// Who does not read is shown the newest ones when he does.
+void LiveDesk::ShowPictures() {
+  if (!pictures_) return;
+  std::vector<ClientId> gone;
+  for (auto& [client, session] : sessions_.all()) {
+    if (!session.pictures_seen) continue;
+    std::uint64_t seen = *session.pictures_seen;
+    SendResult result = SendResult::kSent;
+    while (const std::optional<LivePicture> picture = pictures_->Next(seen)) {
+      result = outbox_.Send(client, NoticeOf(ExtensionService::Describe(*picture)));
+      if (result != SendResult::kSent) break;
+      session.pictures_seen = seen;
+    }
+    if (result == SendResult::kGone) gone.push_back(client);
+  }
+  for (const ClientId client : gone) sessions_.Close(client);
 }
 
 LiveDesk::Progress LiveDesk::PushAll() {

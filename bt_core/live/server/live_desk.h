@@ -9,6 +9,7 @@
 #include <string>
 
 #include "bt_core/live/groot2/groot2_service.h"
+#include "bt_core/live/pictures/live_pictures.h"
 #include "bt_core/live/server/extension_service.h"
 #include "bt_core/live/server/live_outbox.h"
 #include "bt_core/live/server/live_sessions.h"
@@ -17,8 +18,10 @@ namespace coppice {
 
 class LiveDesk {
  public:
-  /// A client that was silent for `deadline` is taken for dead.
-  LiveDesk(LiveOutbox& outbox, Duration deadline);
+  /// A client that was silent for `deadline` is taken for dead. `pictures`: null if the robot shows
+  /// none.
+  LiveDesk(LiveOutbox& outbox, Duration deadline,
+           std::shared_ptr<const LivePictures> pictures = nullptr);
   ~LiveDesk();
 
   void Add(std::shared_ptr<LiveTree> tree, Duration now);
@@ -47,15 +50,18 @@ class LiveDesk {
   groot2::Parts Answer(ClientId client, bool may_control, const groot2::Parts& request,
                        Duration arrived);
   void TellDebugEvents();
+  groot2::Parts NoticeOf(const std::string& json) const;
   void Notify(const std::string& notice);
   void TellChangedTrees();
   void ReleaseWaiting(Duration now);
   void Expire(Duration heard_until);
+  void ShowPictures();
   Progress PushAll();
   Progress PushTo(ClientId client, std::uint32_t id, ActiveSubscription& subscription);
 
   LiveOutbox& outbox_;
   const Duration deadline_;
+  const std::shared_ptr<const LivePictures> pictures_;
   const groot2::TreeId server_id_ = groot2::RandomTreeId();
   LiveTrees trees_;
   std::map<std::uint32_t, TreeEntry> entries_;

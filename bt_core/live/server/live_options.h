@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "bt_core/base/clock.h"
@@ -14,6 +15,8 @@
 #include "bt_core/frames/history.h"
 
 namespace coppice {
+
+class LivePictures;
 
 /// About one tree.
 struct LiveTreeOptions {
@@ -60,6 +63,9 @@ struct LiveOptions : LiveTreeOptions {
   std::string web_folder;
   /// A client that was silent for so long is taken for dead: what it holds is released.
   Duration deadline = std::chrono::seconds(5);
+  /// What the robot shows to people, for those who watch it (pictures/live_pictures.h); null:
+  /// nothing.
+  std::shared_ptr<const LivePictures> pictures;
 };
 
 }  // namespace coppice

@@ -92,7 +92,7 @@ class LiveServer::Loop {
  public:
   Loop(const LiveOptions& options, const std::optional<RobotKeys>& keys)
       : doors_(options, keys, clients_),
-        desk_(clients_, options.deadline),
+        desk_(clients_, options.deadline, options.pictures),
         announcer_(Announce(options, doors_.port())),
         thread_([this] { Run(); }) {}
 

@@ -35,6 +35,8 @@ struct Session {
   Duration last_request{0};  ///< when it arrived, in real time
   std::uint32_t last_subscription = 0;
   std::map<std::uint32_t, ActiveSubscription> subscriptions;  ///< one for a tree at most
+  /// The change of LivePictures that it was sent last; none: it has not asked for pictures.
+  std::optional<std::uint64_t> pictures_seen;
 
   /// It follows the tree no longer.
   void Unfollow(const LiveTree& tree);

@@ -29,6 +29,9 @@ void DrawStatistics(const Ui& ui, EditorState& state, RunView& run);
 /// Where this run and another one part. "run/compare/NAME", "run/parting", "run/difference/0".
 void DrawComparison(const Ui& ui, EditorState& state, RunView& run);
 
+/// What the robot shows to people now: its face, say. "run/pictures/NAME".
+void DrawPictures(const Ui& ui, EditorState& state, RunView& run);
+
 /// What the runs by chance have reached, and what they have not. "run/coverage/never_ticked/PATH",
 /// "run/coverage/finding/0".
 void DrawCoverage(const Ui& ui, EditorState& state, RunView& run);

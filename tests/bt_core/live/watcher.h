@@ -23,6 +23,7 @@ struct Watched {
   std::vector<std::uint64_t> ticks;  ///< their numbers
   std::vector<HistoryGap> gaps;
   std::vector<LiveNotice> notices;
+  std::vector<LivePicture> pictures;
   std::vector<ForeignHook> foreign_hooks;  ///< as they are now
   std::size_t ends = 0;
   std::string frames;
@@ -78,6 +79,9 @@ class Watcher : public LiveListener {
   }
   void OnNotice(const LiveNotice& notice) override {
     Keep([&](Watched& w) { w.notices.push_back(notice); });
+  }
+  void OnPicture(const LivePicture& picture) override {
+    Keep([&](Watched& w) { w.pictures.push_back(picture); });
   }
   void OnForeignHooks(const std::vector<ForeignHook>& hooks) override {
     Keep([&](Watched& w) { w.foreign_hooks = hooks; });

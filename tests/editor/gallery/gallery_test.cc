@@ -115,16 +115,21 @@ TEST_P(GalleryLarge, IsWhole) { ExpectWholeTexts(editor(), DrawnText(editor()));
 
 TEST_P(GalleryTinyPixels, IsWhole) { ExpectWholeTexts(editor(), DrawnText(editor())); }
 
-// The picture of docs/editor.md; kept as those of pictures_test.cc.
-TEST(GalleryPicture, ALiveRun) {
+// The pictures of docs/editor.md; kept as those of pictures_test.cc.
+void KeepPicture(const std::string& scene_name, const std::string& picture,
+                 const std::string& needed) {
   for (const GalleryScene& scene : RunScenes()) {
-    if (std::string(scene.name) != "live") continue;
+    if (scene.name != scene_name) continue;
     Stage stage({});
     scene.play(stage);
-    stage.driver().Picture("editor_live");
-    EXPECT_TRUE(stage.driver().Has("timeline/mission"));
+    stage.driver().Picture(picture);
+    EXPECT_TRUE(stage.driver().Has(needed));
   }
 }
+
+TEST(GalleryPicture, ALiveRun) { KeepPicture("live", "editor_live", "timeline/mission"); }
+
+TEST(GalleryPicture, TheFaceOfARobot) { KeepPicture("face", "editor_face", "run/pictures/face"); }
 
 std::string NameOf(const testing::TestParamInfo<GalleryScene>& scene) { return scene.param.name; }
 

@@ -4,6 +4,7 @@
 
 #include "editor/commands/run_commands.h"
 #include "tests/editor/gallery/scenes.h"
+#include "tests/editor/robot_face.h"
 #include "tests/editor/sample_trees.h"
 
 namespace coppice::editor {
@@ -75,6 +76,27 @@ void Heat(Stage& stage, int times) {
   Live(stage);
   for (int i = 0; i < times; ++i) stage.Run("run.heat");
   stage.Run("run.statistics");
+}
+
+// As the robot listens: ears forward, strips green.
+void ShownFace(Stage& stage) {
+  ExecutedSource& robot = stage.AddRobot("robot-1:1667", 150);
+  robot.Show(RingEyes("LISTENING"));
+  robot.Show(Strip("ears", "85° 85°"));
+  robot.Show(Strip("arms", "0° 0°"));
+  stage.driver().Frames();
+  stage.Run("run.pictures");
+}
+
+void FaceInThePast(Stage& stage) {
+  ShownFace(stage);
+  stage.state().workspace.run()->playhead().GoToTick(43);
+  stage.driver().Frames(12);
+}
+
+void FaceOfNobody(Stage& stage) {
+  ShownFace(stage);
+  stage.AddRobot("robot-2:1667", 40);
 }
 
 void Log(Stage& stage) {
@@ -235,6 +257,9 @@ std::vector<GalleryScene> RunScenes() {
           {"heat_ticks", [](Stage& stage) { Heat(stage, 2); }},
           {"heat_failures", [](Stage& stage) { Heat(stage, 3); }},
           {"heat_never_ticked", [](Stage& stage) { Heat(stage, 4); }},
+          {"face", ShownFace},
+          {"face_in_the_past", FaceInThePast},
+          {"no_face", FaceOfNobody},
           {"log", Log},
           {"no_log_points", [](Stage& stage) { Tab(stage, "run.log"); }},
           {"table", Table},

@@ -23,6 +23,9 @@ class Teller : public LiveListener {
       told += std::to_string(events.words.data[i]) + " ";
     }
   }
+  void OnPicture(const LivePicture& picture) override {
+    told += picture.name + "=" + picture.text + " ";
+  }
   std::string told;
 };
 
@@ -47,6 +50,32 @@ TEST(LiveQueueTest, TellsAgainInOrderWhatWasToldOnAnotherThread) {
   queue.Deliver(teller);
   EXPECT_EQ(teller.told, "live tree Main state 0 tick 1:10 20 tick 2:30 ");
   EXPECT_TRUE(queue.empty());
+}
+
+TEST(LiveQueueTest, HandsOnTheNewestPictureOfEachNameAlone) {
+  int wakes = 0;
+  LiveQueue queue([&wakes] { ++wakes; });
+  const auto show = [&](const std::string& name, const std::string& text) {
+    queue.OnPicture({name, text, 1, 1, {0, 0, 0}});
+  };
+  for (int i = 0; i <= 1000; ++i) show("face", std::to_string(i));
+  show("ears", "up");
+  EXPECT_FALSE(queue.empty());
+  EXPECT_EQ(wakes, 1);
+  Teller teller;
+  queue.Deliver(teller);
+  EXPECT_EQ(teller.told, "ears=up face=1000 ");
+  EXPECT_TRUE(queue.empty());
+}
+
+TEST(LiveQueueTest, APictureOfAConnectionThatIsGoneIsNotHandedOn) {
+  LiveQueue queue(nullptr);
+  queue.OnPicture({"face", "old", 1, 1, {0, 0, 0}});
+  queue.OnConnection({});
+  queue.OnPicture({"ears", "new", 1, 1, {0, 0, 0}});
+  Teller teller;
+  queue.Deliver(teller);
+  EXPECT_EQ(teller.told, "gone ears=new ");
 }
 
 TEST(LiveQueueTest, CallsTheHandlersOfRepliesWhenItDelivers) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/bt_core/live/watcher.h"
 #include "tests/bt_core/live/web_caller.h"
 #include "tests/robot_app/processes/ros_graph.h"
 #include "tests/robot_app/processes/shut_down_node.h"
@@ -36,7 +37,7 @@ class RobotProgramTest : public testing::Test {
         "--places",
         SourceFolder() + "/robot_app/config/sites/institute/places.yaml",
         "--live-port",
-        "0"};
+        std::to_string(live_port_)};
     command.insert(command.end(), more.begin(), more.end());
     if (!shell_.empty()) {
       const std::vector<std::string> shell = {"/bin/sh", "-c", shell_, "sh"};
@@ -57,6 +58,7 @@ class RobotProgramTest : public testing::Test {
   processes::RosGraph& graph_ = processes::RosGraph::Shared();
   const std::string trees_ = processes::Temporary("robot_program_test.xml");
   std::string shell_;  // that starts it, if not empty
+  int live_port_ = 0;  // none
   int pid_ = 0;
   int heard_ = 0;
   std::string said_;
@@ -114,6 +116,28 @@ TEST_F(RobotProgramTest, TellsItsFiguresToPrometheus) {
   const std::string figures = caller.Rest();
   EXPECT_THAT(figures, HasSubstr("coppice_ticks_total{tree=\"application\"}"));
   EXPECT_THAT(figures, HasSubstr("coppice_ticks_total{tree=\"monitor\"}"));
+}
+
+// What the node of the face draws, a watcher of the trees has in his hands.
+TEST_F(RobotProgramTest, ShowsItsFaceToThoseWhoWatchItsTrees) {
+  live_port_ = processes::FreePort();
+  Start();
+  graph_.Start("expression", {processes::kPrograms + "coppice-expression"});
+  LiveClientOptions options;
+  options.with_pictures = true;
+  Watcher watcher;
+  const LiveClient client("127.0.0.1:" + std::to_string(live_port_), watcher, options);
+  const auto shows = [](const Watched& watched, const std::string& name, std::uint32_t width,
+                        const std::string& text) {
+    const auto& all = watched.pictures;
+    return std::any_of(all.begin(), all.end(), [&](const LivePicture& picture) {
+      return picture.name == name && picture.width == width && picture.text == text;
+    });
+  };
+  EXPECT_TRUE(watcher.Await([&](const Watched& watched) {
+    return shows(watched, "face", 64, "NEUTRAL") && shows(watched, "ears", 1, "0° 0°") &&
+           shows(watched, "arms", 1, "0° 0°");
+  }));
 }
 
 }  // namespace

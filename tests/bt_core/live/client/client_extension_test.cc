@@ -43,6 +43,16 @@ class ClientExtensionTest : public ::testing::Test {
   }
   static std::string Number(char number) { return std::string(1, number) + std::string(7, '\0'); }
 
+  // What the robot shows, as the client tells it: "face 1x1 ".
+  std::string Shown() const {
+    std::string shown;
+    for (const LivePicture& picture : watcher_.watched().pictures) {
+      shown += picture.name + " " + std::to_string(picture.width) + "x" +
+               std::to_string(picture.height) + " ";
+    }
+    return shown;
+  }
+
   LiveClientOptions options_;
   Watcher watcher_;
   ClientHistory history_{watcher_};
@@ -104,6 +114,58 @@ TEST_F(ClientExtensionTest, AStopBeforeTheTreeIsKnownIsToldBehindTheTree) {
   PushTree();
   ASSERT_THAT(watcher_.watched().notices, SizeIs(1));
   EXPECT_EQ(watcher_.watched().notices[0].event.stop.node, 1u);
+}
+
+TEST_F(ClientExtensionTest, AsksForPicturesOnlyARobotThatHasSome) {
+  options_.with_pictures = true;
+  Answer({{"protocol", 1}, {"trees", {{{"tree", 0}, {"name", "Main"}}}}});
+  EXPECT_THAT(sent_, SizeIs(2)) << "of before there were pictures: hello and subscribe";
+  ClientExtension other{options_, watcher_, history_,
+                        [this](const Parts& parts) { sent_.push_back(parts); }};
+  other.OnMessage({sent_.back()[0] + std::string(16, 'i'),
+                   R"({"protocol":1,"pictures":true,"trees":[{"tree":0,"name":"Main"}]})"},
+                  1s);
+  ASSERT_THAT(sent_, SizeIs(5));
+  EXPECT_EQ(Json::parse(sent_[3][1])["do"], "pictures");
+  EXPECT_EQ(Json::parse(sent_[4][1])["do"], "subscribe");
+}
+
+TEST_F(ClientExtensionTest, TellsThePicturesThatKeepTheLimits) {
+  options_.with_pictures = true;
+  Connect();
+  const auto show = [&](const std::string& members) {
+    Push('E', R"({"event":"picture",)" + members + "}");
+  };
+  show(R"("name":"face","text":"SAD","width":2,"height":1,"rgb":"00ff1020304a")");
+  ASSERT_EQ(Shown(), "face 2x1 ");
+  EXPECT_EQ(watcher_.watched().pictures[0],
+            (LivePicture{"face", "SAD", 2, 1, {0, 255, 16, 32, 48, 74}}));
+  // Whatever else a robot sends is not handed on, and is no reason to leave it.
+  show(R"("name":"face","width":2,"height":2,"rgb":"00ff1020304a")");
+  show(R"("name":"face","width":4294967297,"height":1,"rgb":"00ff10")");
+  show(R"("name":"face","width":-1,"height":-1,"rgb":"00ff10")");
+  show(R"("name":"face","width":1e300,"height":1,"rgb":"00ff10")");
+  show(R"("name":"face","width":1,"height":1,"rgb":"00ff1")");
+  show(R"("name":"face","width":1,"height":1,"rgb":"00FF1g")");
+  show(R"("name":"face","width":1,"height":1,"rgb":[0,255,16])");
+  show(R"("name":7,"width":1,"height":1,"rgb":"00ff10")");
+  show(R"("width":1,"height":1,"rgb":"00ff10")");
+  show(R"("name":"wall","width":64,"height":65,"rgb":")" + std::string(64 * 65 * 6, '0') + "\"");
+  Push('E', R"({"event":"picture"})");
+  Push('E', R"(["picture"])");
+  EXPECT_EQ(Shown(), "face 2x1 ");
+  for (int i = 0; i < 20; ++i) {
+    show(R"("width":1,"height":1,"rgb":"000000","name":"lamp)" + std::to_string(i) + "\"");
+  }
+  EXPECT_THAT(watcher_.watched().pictures, SizeIs(PictureSet::kMostPictures));
+  EXPECT_EQ(session_.failure(), "");
+  EXPECT_TRUE(session_.is_live());
+}
+
+TEST_F(ClientExtensionTest, PicturesThatNobodyAskedForAreNotTold) {
+  Connect();
+  Push('E', R"({"event":"picture","name":"face","width":1,"height":1,"rgb":"00ff10"})");
+  EXPECT_EQ(Shown(), "");
 }
 
 TEST_F(ClientExtensionTest, GivesUpARobotThatDoesNotKnowTheExtension) {

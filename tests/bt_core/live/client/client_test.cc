@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "bt_core/data/value_bytes.h"
+#include "bt_core/live/pictures/live_pictures.h"
 #include "tests/bt_core/live/cut_line.h"
 #include "tests/bt_core/live/robot.h"
 #include "tests/bt_core/live/watcher.h"
@@ -319,6 +320,29 @@ TEST(LiveClient, FollowsTheTreeOfThatNameOfSeveral) {
   two.Tick();
   ASSERT_TRUE(watcher.Await(HasTick(1)));
   EXPECT_EQ(watcher.watched().trees[0].main_tree, "Second");
+}
+
+TEST(LiveClient, SeesWhatTheRobotShowsToPeople) {
+  const auto pictures = std::make_shared<LivePictures>();
+  LiveOptions with_pictures = Robot::WithPort(0);
+  with_pictures.pictures = pictures;
+  const LivePicture face{"face", "SAD", 64, 32, std::vector<std::uint8_t>(6144, 7)};
+  EXPECT_TRUE(pictures->Show(face));
+  Robot robot(with_pictures);
+  LiveClientOptions options;
+  options.with_pictures = true;
+  Watcher watcher, other;
+  const LiveClient client(robot.endpoint(), watcher, options);
+  const LiveClient uninterested(robot.endpoint(), other);
+  ASSERT_TRUE(watcher.Await([&](const Watched& w) { return w.pictures == std::vector{face}; }));
+  const LivePicture ears{"ears", "", 1, 1, {0, 255, 0}};
+  EXPECT_TRUE(pictures->Show(ears));
+  ASSERT_TRUE(watcher.Await([&](const Watched& w) {
+    return w.pictures == std::vector{face, ears};
+  }));
+  robot.Tick();
+  ASSERT_TRUE(other.Await(HasTick(1)));
+  EXPECT_THAT(other.watched().pictures, IsEmpty());
 }
 
 TEST(LiveClient, RejectsWhatIsNoEndpointAndNoToken) {

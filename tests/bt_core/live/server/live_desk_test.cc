@@ -171,6 +171,78 @@ TEST_F(LiveDeskTest, SendsTheEndOfATreeThatGoes) {
   EXPECT_EQ(frames[8] - frames[0], 2);
 }
 
+class LiveDeskWithPictures : public LiveDeskTest {
+ protected:
+  LiveDeskWithPictures() { showing_.Add(tree_, now_); }
+  ~LiveDeskWithPictures() override { showing_.Remove(*tree_); }
+
+  Json Ask(ClientId client, const std::string& request) {
+    showing_.Serve(client, false, {groot2::MakeHeader('C', 9), request}, now_);
+    return Json::parse(outbox_.Take(client).back()[1]);
+  }
+  void Show(const std::string& name, std::uint8_t red) {
+    EXPECT_TRUE(pictures_->Show({name, "GREETING", 1, 1, {red, 0, 255}}));
+  }
+  // "face fe00ff" of each notice.
+  std::vector<std::string> Shown(ClientId client) {
+    showing_.Attend(now_, now_);
+    std::vector<std::string> result;
+    for (const Parts& parts : outbox_.Take(client)) {
+      const Json notice = Json::parse(parts[1]);
+      EXPECT_EQ(notice["event"], "picture");
+      EXPECT_EQ(notice["text"], "GREETING");
+      EXPECT_EQ(notice["width"], 1);
+      EXPECT_EQ(notice["height"], 1);
+      result.push_back(notice["name"].get<std::string>() + " " + notice["rgb"].get<std::string>());
+    }
+    return result;
+  }
+
+  const std::shared_ptr<LivePictures> pictures_ = std::make_shared<LivePictures>();
+  LiveDesk showing_{outbox_, 5s, pictures_};
+};
+
+TEST_F(LiveDeskWithPictures, ShowsThemToReadersWhoAskForThem) {
+  Show("face", 0xfe);
+  EXPECT_EQ(Ask(kAnn, R"({"do": "hello"})")["pictures"], true);
+  Ask(kBen, R"({"do": "hello"})");
+  EXPECT_EQ(Ask(kAnn, R"({"do": "pictures"})"), Json::object());
+  EXPECT_THAT(Shown(kAnn), ElementsAre("face fe00ff"));
+  EXPECT_THAT(outbox_.Take(kBen), IsEmpty()) << "a client of before does not know them";
+  EXPECT_THAT(Shown(kAnn), IsEmpty());
+  Show("ears", 1);
+  Show("face", 2);
+  EXPECT_THAT(Shown(kAnn), ElementsAre("ears 0100ff", "face 0200ff"));
+}
+
+TEST_F(LiveDeskWithPictures, WhoDoesNotReadIsShownTheNewestLater) {
+  Ask(kAnn, R"({"do": "hello"})");
+  Ask(kAnn, R"({"do": "pictures"})");
+  outbox_.results[kAnn] = SendResult::kFull;
+  for (std::uint8_t red = 1; red < 9; ++red) {
+    Show("face", red);
+    EXPECT_THAT(Shown(kAnn), IsEmpty());
+  }
+  outbox_.results[kAnn] = SendResult::kSent;
+  EXPECT_THAT(Shown(kAnn), ElementsAre("face 0800ff"));
+}
+
+TEST_F(LiveDeskWithPictures, AClientThatHasGoneIsForgotten) {
+  Ask(kAnn, R"({"do": "hello"})");
+  Ask(kAnn, R"({"do": "pictures"})");
+  Show("face", 1);
+  outbox_.results[kAnn] = SendResult::kGone;
+  EXPECT_THAT(Shown(kAnn), IsEmpty());
+  outbox_.results.clear();
+  EXPECT_EQ(Ask(kAnn, R"({"do": "ping"})")["error"], "say hello first");
+}
+
+TEST_F(LiveDeskWithPictures, WithoutPicturesNoneAreOffered) {
+  EXPECT_EQ(Extension(kAnn, R"({"do": "hello"})")["pictures"], false);
+  EXPECT_EQ(Extension(kAnn, R"({"do": "pictures"})"), Json::object());
+  EXPECT_THAT(Attend(kAnn), IsEmpty());
+}
+
 TEST(LiveDesk, LetsATreeThatWaitsForAClientGoOnAfterAWhile) {
   LiveTreeOptions options;
   options.wait_for_client = 10s;
