@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <std_msgs/String.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <csignal>
 #include <iostream>
@@ -35,6 +36,7 @@
 #include "robot_app/ros/ros_recovery_log.h"
 #include "robot_app/ros/ros_supervisors.h"
 #include "robot_app/ros/visitor_feed.h"
+#include "robot_app/ros/way_markers.h"
 
 namespace coppice::robot {
 namespace {
@@ -155,6 +157,10 @@ class Robot {
           monitor_->Note("note", note->data);
         }));
     status_ = node_.advertise<std_msgs::String>("/coppice/application", 1, true);
+    ways_ = node_.advertise<visualization_msgs::MarkerArray>("/coppice/ways", 1, true);
+    places_.ShowWays([this](const RouteGuide& guide) {
+      ways_.publish(adapters::MarkersOf(guide.map(), guide.memory(), clock_.Now(), "map"));
+    });
     heartbeat_ = node_.advertise<std_msgs::Empty>("/coppice/heartbeat", 1);
     diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
   }
@@ -273,7 +279,7 @@ class Robot {
   RobotFigures figures_;  // before the trees, which it listens to
   FacePictures face_pictures_;
   TreeLink link_;
-  ros::Publisher status_, heartbeat_, diagnostics_;
+  ros::Publisher status_, ways_, heartbeat_, diagnostics_;
   std::unique_ptr<TreeRunner> application_;
   std::unique_ptr<TreeRunner> monitor_;
   std::vector<ros::Subscriber> subscribers_;

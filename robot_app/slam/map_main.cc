@@ -1,10 +1,13 @@
 // coppice-map: what is in a map of many sessions; paints it and writes the grid that the map server
 // reads.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -31,8 +34,12 @@ const Command kMap{
     {"FOLDER|FILE", 1, 1},
     "Prints the sessions of the newest map in FOLDER, or of one version of it, with\n"
     "their key frames and closures. The plan shows the way of each session and what\n"
-    "closed its loops.",
+    "closed its loops, a section how high things are.",
     {CommandOption::Text("--plan", "FILE", "paint it from above (JPEG)"),
+     CommandOption::Text("--section", "FILE", "paint an upright section (JPEG)"),
+     CommandOption::Text("--cut", "x=M|y=M",
+                         "where it is cut, 0.3 m thick; else along the longer side of the map,\n"
+                         "where the robot was most"),
      CommandOption::Text("--voxels", "FILE", "write the voxels as OctoMap reads them (.bt)"),
      CommandOption::Text("--grid", "FILE",
                          "write the grid as map servers read it (.yaml), in the frame of the\n"
@@ -111,6 +118,57 @@ int WriteGrid(const LoadedMap& loaded, std::uint32_t session, const Options& opt
   return Fail(diagnostics.ToString());
 }
 
+int WritePicture(const std::string& file, const Picture& picture) {
+  const auto bytes = EncodeJpeg(picture, 90);
+  Diagnostics diagnostics;
+  if (WriteFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, diagnostics)) {
+    return 0;
+  }
+  return Fail(diagnostics.ToString());
+}
+
+// "x=3.5" cuts along y. Nothing: it is none.
+std::optional<Cut> CutOf(const std::string& text) {
+  if (text.size() < 3 || (text[0] != 'x' && text[0] != 'y') || text[1] != '=') return std::nullopt;
+  char* end = nullptr;
+  Cut cut;
+  cut.along_x = text[0] == 'y';
+  cut.at = std::strtod(text.c_str() + 2, &end);
+  if (*end != '\0' || !std::isfinite(cut.at)) return std::nullopt;
+  return cut;
+}
+
+// Along the longer side of what the robot travelled, at the median of where it was across.
+Cut CutOfTheWay(const SlamMap& map) {
+  std::vector<double> x, y;
+  for (const Pose3& pose : map.graph.poses) {
+    x.push_back(pose.translation().x());
+    y.push_back(pose.translation().y());
+  }
+  std::sort(x.begin(), x.end());
+  std::sort(y.begin(), y.end());
+  Cut cut;
+  if (x.empty()) return cut;
+  cut.along_x = x.back() - x.front() >= y.back() - y.front();
+  const std::vector<double>& across = cut.along_x ? y : x;
+  cut.at = across[across.size() / 2];
+  return cut;
+}
+
+int WriteSection(const LoadedMap& loaded, const VoxelMap& voxels, const Options& options) {
+  const auto cut =
+      options.Has("--cut") ? CutOf(options.Get("--cut")) : std::optional(CutOfTheWay(loaded.map));
+  if (!cut) return Fail("--cut: expected x=M or y=M, not \"" + options.Get("--cut") + "\"");
+  const OccupancyGrid section = voxels.Section(*cut);
+  if (section.frame.size() == 0) {
+    return Fail("nothing is known there, or it lies too far apart for --resolution");
+  }
+  char name[60];
+  std::snprintf(name, sizeof name, "along %c [m] at %c = %.1f m", cut->along_x ? 'x' : 'y',
+                cut->along_x ? 'y' : 'x', cut->at);
+  return WritePicture(options.Get("--section"), DrawSection(section, name));
+}
+
 int WriteWhatIsAsked(const LoadedMap& loaded, const Options& options) {
   const auto session = static_cast<std::uint32_t>(options.Whole("--session", 1) - 1);
   if (session >= loaded.map.names.size()) {
@@ -121,24 +179,23 @@ int WriteWhatIsAsked(const LoadedMap& loaded, const Options& options) {
     const int status = WriteGrid(loaded, session, options);
     if (status != 0) return status;
   }
-  if (!options.Has("--plan") && !options.Has("--voxels")) return 0;
+  if (!options.Has("--plan") && !options.Has("--voxels") && !options.Has("--section")) return 0;
   const VoxelMap voxels =
       VoxelsOf(loaded.map, session, MapperSettings().lidar, options.Real("--resolution", 0.1));
   if (options.Has("--voxels")) {
     const Outcome saved = voxels.Save(options.Get("--voxels"));
     if (!saved) return Fail(saved.problem());
   }
+  if (options.Has("--section")) {
+    const int status = WriteSection(loaded, voxels, options);
+    if (status != 0) return status;
+  }
   if (!options.Has("--plan")) return 0;
   const OccupancyGrid grid = voxels.Project();
   if (grid.frame.size() == 0) {
     return Fail("there is nothing to paint, or it lies too far apart for --resolution");
   }
-  const auto bytes = EncodeJpeg(DrawPlan(grid, loaded.map, session), 90);
-  Diagnostics diagnostics;
-  if (WriteFile(options.Get("--plan"), {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                diagnostics))
-    return 0;
-  return Fail(diagnostics.ToString());
+  return WritePicture(options.Get("--plan"), DrawPlan(grid, loaded.map, session));
 }
 
 int Show(const Options& options) {
@@ -148,9 +205,7 @@ int Show(const Options& options) {
     std::fprintf(stderr, "coppice-map: %s; an older version is shown\n", loaded->remark.c_str());
   }
   Print(*loaded);
-  return options.Has("--plan") || options.Has("--voxels") || options.Has("--grid")
-             ? WriteWhatIsAsked(*loaded, options)
-             : 0;
+  return WriteWhatIsAsked(*loaded, options);
 }
 
 // A small file may claim to be a large map.

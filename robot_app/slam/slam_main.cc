@@ -113,7 +113,11 @@ class SlamNode {
     mapper_.environment().Force(SurroundingsOf(settings_.surroundings));
     pose_ = node_.advertise<geometry_msgs::PoseStamped>("/slam/pose", 5);
     grid_ = node_.advertise<nav_msgs::OccupancyGrid>("/slam/grid", 1, true);
-    markers_ = node_.advertise<visualization_msgs::MarkerArray>("/slam/graph", 1, true);
+    // Who comes later sees it at once, though the robot stands.
+    markers_ = node_.advertise<visualization_msgs::MarkerArray>(
+        "/slam/graph", 1, [this](const ros::SingleSubscriberPublisher& viewer) {
+          if (key_frames() > 0) viewer.publish(Markers());
+        });
     diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 5);
     odometry_subscriber_ = node_.subscribe<nav_msgs::Odometry>(
         "/odometry/filtered", 60,
@@ -339,9 +343,12 @@ class SlamNode {
         [grids = grid_, frame = FrameName(), now = ros::Time::now()](const OccupancyGrid& grid) {
           if (grid.frame.size() > 0) grids.publish(mapping::ToMessage(grid, frame, now));
         });
-    if (markers_.getNumSubscribers() == 0) return;
-    markers_.publish(MarkersOf(mapper_.graph(), FrameName(),
-                               frame_on_map_.value_or(Pose3::Identity()), ros::Time::now()));
+    if (markers_.getNumSubscribers() > 0) markers_.publish(Markers());
+  }
+
+  visualization_msgs::MarkerArray Markers() const {
+    return MarkersOf(mapper_.graph(), FrameName(), frame_on_map_.value_or(Pose3::Identity()),
+                     ros::Time::now());
   }
 
   std::string Complaint() const {
@@ -349,6 +356,12 @@ class SlamNode {
       return "no clouds on " + clouds_subscriber_.getTopic();
     }
     return problem_;
+  }
+
+  std::string Surroundings() {  // "hall (dark)"
+    const Environment& environment = mapper_.environment();
+    return std::string(NameOf(environment.surroundings())) +
+           (environment.is_forced() ? " (forced)" : "") + (environment.is_dark() ? " (dark)" : "");
   }
 
   void PublishState() {
@@ -359,8 +372,8 @@ class SlamNode {
     status.level = complaint.empty() ? DiagnosticStatus::OK : DiagnosticStatus::ERROR;
     status.message = !complaint.empty()   ? complaint
                      : !settings_.maps()  ? "recognizes places"
-                     : mapper_.IsJoined() ? "maps"
-                                          : "maps a session of its own: no known place yet";
+                     : mapper_.IsJoined() ? "maps: " + Surroundings()
+                                          : "maps, no known place yet: " + Surroundings();
     const auto add = [&status](const char* key, const std::string& value) {
       status.values.emplace_back();
       status.values.back().key = key;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bt_core/base/command_line.h"
+#include "tests/bench/carried_picture.h"
 #include "tests/robot_app/slam/carried_study.h"
 
 namespace coppice::robot::slam {
@@ -19,7 +20,8 @@ const Command kBench{
     "that it recognizes in pictures. Some ten minutes on one core.",
     {CommandOption::Whole("--places", "N", 1, 10000, "else 200"),
      CommandOption::Flag("--details", "a line for each place that was not found"),
-     CommandOption::Real("--dusk", "LIGHT", 0.01, 1, "also in so much light; else 0.1")}};
+     CommandOption::Real("--dusk", "LIGHT", 0.01, 1, "also in so much light; else 0.1"),
+     CommandOption::Text("--picture", "FILE", "paint where it was found when carried (SVG)")}};
 
 void Say(double share) { std::fprintf(stderr, "\r%3.0f %% ", 100 * share); }
 
@@ -43,6 +45,7 @@ int Main(const std::vector<std::string>& arguments) {
     double light;
   };
   const double dusk = options.Real("--dusk", 0.1);
+  std::vector<DrawnStudy> drawn;
   std::printf("%s", TableHead().c_str());
   for (const Row& row : {Row{"carried, laser alone", {false, true}, 1},
                          Row{"carried, with pictures", {true, true}, 1},
@@ -54,8 +57,12 @@ int Main(const std::vector<std::string>& arguments) {
     std::printf("%s", TableLine(row.name, outcomes).c_str());
     std::fflush(stdout);
     if (options.Has("--details")) PrintWhatWasNotFound(outcomes);
+    if (row.options.carried && row.light == 1) drawn.push_back({row.name, outcomes});
   }
-  return 0;
+  if (!options.Has("--picture")) return 0;
+  if (DrawCarried(institute.floor(), drawn, options.Get("--picture"))) return 0;
+  std::fprintf(stderr, "%s cannot be written\n", options.Get("--picture").c_str());
+  return 1;
 }
 
 }  // namespace

@@ -42,6 +42,8 @@ class EdgeMemory {
   /// What each edge costs now, with that [s].
   std::vector<double> Costs(Time now) const;
   const std::vector<EdgeRecord>& records() const { return records_; }
+  /// What a trip takes as long as nobody has made one [s].
+  const std::vector<double>& expected() const { return expected_; }
 
   /// As a file of YAML, an edge a line, and back. Edges that the map no longer has are forgotten. A
   /// file that is missing is no problem, one that is broken is told, and what is good of it used.

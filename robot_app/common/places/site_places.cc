@@ -91,7 +91,14 @@ void SitePlaces::Ended(const std::string& leg, bool travelled, const Pose2D& rob
   // A leg that somebody else remembered tells nothing of times.
   if (leg == leg_ || !travelled) guide_.Ended(leg, travelled, robot, seconds, now);
   leg_.clear();
+  if (show_) show_(guide_);
   Save();
+}
+
+void SitePlaces::ShowWays(std::function<void(const RouteGuide&)> show) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  show_ = std::move(show);
+  show_(guide_);
 }
 
 Expected<std::string> SitePlaces::Nearest(const Pose2D& robot, const std::string& category) {

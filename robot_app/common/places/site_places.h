@@ -6,6 +6,7 @@
 #ifndef COPPICE_ROBOT_APP_COMMON_PLACES_SITE_PLACES_H_
 #define COPPICE_ROBOT_APP_COMMON_PLACES_SITE_PLACES_H_
 
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -40,6 +41,10 @@ class SitePlaces : public leaves::WaypointMap, public leaves::Routes {
   Expected<Description> Describe(const Pose2D& robot, const std::string& place,
                                  const std::string& language) override;
 
+  /// `show` is called now, and after each leg on the thread that ends it, which must not wait: what
+  /// is known of the edges has changed. Not while trees tick.
+  void ShowWays(std::function<void(const RouteGuide&)> show);
+
   /// Not while trees tick.
   const RouteGuide& guide() const { return guide_; }
 
@@ -57,6 +62,7 @@ class SitePlaces : public leaves::WaypointMap, public leaves::Routes {
   std::string memory_;
   std::string leg_;  // that the robot is on, since
   Time since_{};
+  std::function<void(const RouteGuide&)> show_;  // may be empty
   std::optional<ServiceCaller> writer_{std::in_place};
 };
 

@@ -132,6 +132,32 @@ Picture DrawPlan(const OccupancyGrid& grid, const SlamMap& map, std::uint32_t of
   return picture;
 }
 
+Picture DrawSection(const OccupancyGrid& section, const std::string& name, int most_pixels) {
+  const GridFrame& frame = section.frame;
+  const int scale = std::clamp(most_pixels / std::max(frame.width, 1), 1, 16);
+  Picture picture(frame.width * scale + kMargin, frame.height * scale + 3 * kLegend);
+  cv::Mat canvas = Canvas(picture);
+  canvas.setTo(cv::Scalar(205, 208, 210));
+  cv::Mat inside = canvas(cv::Rect(kMargin, 0, frame.width * scale, frame.height * scale));
+  DrawCells(section, scale, inside);
+  const double pixels = scale / frame.resolution;
+  const int foot = frame.height * scale;
+  for (int z = static_cast<int>(std::ceil(frame.origin_y)); (z - frame.origin_y) * pixels <= foot;
+       ++z) {
+    const int row = foot - static_cast<int>(std::lround((z - frame.origin_y) * pixels));
+    cv::line(canvas, {kMargin - 6, row}, {picture.width, row}, kFaint, 1);
+    Write(canvas, Number(z) + " m", {8, row + 5}, kInk);
+  }
+  const int first = 5 * static_cast<int>(std::ceil(frame.origin_x / 5));
+  for (int at = first; (at - frame.origin_x) * pixels <= frame.width * scale; at += 5) {
+    const int column = kMargin + static_cast<int>(std::lround((at - frame.origin_x) * pixels));
+    cv::line(canvas, {column, 0}, {column, foot + 6}, kFaint, 1);
+    Write(canvas, Number(at), {column - 8, foot + 22}, kInk);
+  }
+  Write(canvas, name, {kMargin, picture.height - 10}, kInk);
+  return picture;
+}
+
 Picture DrawCurves(const std::vector<Curve>& curves, const std::string& x_axis,
                    const std::string& y_axis, bool is_logarithmic) {
   Picture picture(kChartWidth + 2 * kMargin, kChartHeight + 2 * kMargin);

@@ -1,5 +1,5 @@
-// A map of several sessions as a picture: the plan from above, the way of each session in a colour
-// of its own, closures by pictures and by clouds.
+// A map of several sessions as pictures: the plan from above, the way of each session in a colour
+// of its own, closures by pictures and by clouds; and sections.
 //
 //   EncodeJpeg(DrawPlan(grid, map, 0));
 #ifndef COPPICE_ROBOT_APP_SLAM_DRAWING_MAP_PICTURE_H_
@@ -18,6 +18,10 @@ namespace coppice::robot::slam {
 /// right, y up; at most `most_pixels` wide.
 Picture DrawPlan(const OccupancyGrid& grid, const SlamMap& map, std::uint32_t of_session,
                  int most_pixels = 1400);
+
+/// A section of the voxels (VoxelMap::Section) with lines for each metre of height and each fifth
+/// one along it; `name` is written below. At most `most_pixels` wide.
+Picture DrawSection(const OccupancyGrid& section, const std::string& name, int most_pixels = 1400);
 
 /// A curve of a chart.
 struct Curve {

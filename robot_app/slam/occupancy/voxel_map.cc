@@ -15,16 +15,35 @@ namespace {
 constexpr double kHit = 0.65;
 constexpr double kMiss = 0.42;
 
+// What of the voxels is looked at, and along which axis (0: x): that between two bounds [m]. The
+// other two axes are those of the grid.
+struct Look {
+  int right = 0, up = 1, through = 2;
+  double low = 0, high = 0;
+};
+
+using Leaf = octomap::OcTree::leaf_iterator;
+
+// getCoordinate() has no more digits than a float.
+double At(const Leaf& leaf, int axis) {
+  return axis == 0 ? leaf.getX() : axis == 1 ? leaf.getY() : leaf.getZ();
+}
+
+bool IsSeen(const Leaf& leaf, const Look& look) {
+  const double half = leaf.getSize() / 2, at = At(leaf, look.through);
+  return at + half > look.low && at - half < look.high;
+}
+
 // The smallest grid around what is known; leaves may be larger than a voxel.
-GridFrame FrameOf(const octomap::OcTree& tree, const HeightBand& band) {
+GridFrame FrameOf(const octomap::OcTree& tree, const Look& look) {
   double low_x = HUGE_VAL, low_y = HUGE_VAL, high_x = -HUGE_VAL, high_y = -HUGE_VAL;
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+    if (!IsSeen(leaf, look)) continue;
     const double half = leaf.getSize() / 2;
-    if (leaf.getZ() + half <= band.low || leaf.getZ() - half >= band.high) continue;
-    low_x = std::min(low_x, leaf.getX() - half);
-    low_y = std::min(low_y, leaf.getY() - half);
-    high_x = std::max(high_x, leaf.getX() + half);
-    high_y = std::max(high_y, leaf.getY() + half);
+    low_x = std::min(low_x, At(leaf, look.right) - half);
+    low_y = std::min(low_y, At(leaf, look.up) - half);
+    high_x = std::max(high_x, At(leaf, look.right) + half);
+    high_y = std::max(high_y, At(leaf, look.up) + half);
   }
   GridFrame frame;
   frame.resolution = tree.getResolution();
@@ -38,11 +57,12 @@ GridFrame FrameOf(const octomap::OcTree& tree, const HeightBand& band) {
   return frame;
 }
 
-void Enter(const octomap::OcTree::leaf_iterator& leaf, std::int8_t value, OccupancyGrid& grid) {
+void Enter(const Leaf& leaf, const Look& look, std::int8_t value, OccupancyGrid& grid) {
   const double half = leaf.getSize() / 2;
-  const double inside = grid.frame.resolution / 2;
-  const Cell low = grid.frame.CellAt(leaf.getX() - half + inside, leaf.getY() - half + inside);
-  const Cell high = grid.frame.CellAt(leaf.getX() + half - inside, leaf.getY() + half - inside);
+  const double inside = half - grid.frame.resolution / 2;
+  const double right = At(leaf, look.right), up = At(leaf, look.up);
+  const Cell low = grid.frame.CellAt(right - inside, up - inside);
+  const Cell high = grid.frame.CellAt(right + inside, up + inside);
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
       if (!grid.frame.Contains({x, y})) continue;
@@ -50,6 +70,18 @@ void Enter(const octomap::OcTree::leaf_iterator& leaf, std::int8_t value, Occupa
       cell = std::max(cell, value);
     }
   }
+}
+
+OccupancyGrid GridOf(octomap::OcTree& tree, const Look& look) {
+  tree.updateInnerOccupancy();
+  OccupancyGrid grid;
+  grid.frame = FrameOf(tree, look);
+  grid.cells.assign(static_cast<std::size_t>(grid.frame.size()), -1);
+  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+    if (!IsSeen(leaf, look)) continue;
+    Enter(leaf, look, tree.isNodeOccupied(*leaf) ? std::int8_t{100} : std::int8_t{0}, grid);
+  }
+  return grid;
 }
 
 }  // namespace
@@ -81,16 +113,13 @@ void VoxelMap::Add(const std::vector<Eigen::Vector3f>& points, const Pose3& pose
 }
 
 OccupancyGrid VoxelMap::Project(const HeightBand& band) const {
-  tree_->updateInnerOccupancy();
-  OccupancyGrid grid;
-  grid.frame = FrameOf(*tree_, band);
-  grid.cells.assign(static_cast<std::size_t>(grid.frame.size()), -1);
-  for (auto leaf = tree_->begin_leafs(); leaf != tree_->end_leafs(); ++leaf) {
-    const double half = leaf.getSize() / 2;
-    if (leaf.getZ() + half <= band.low || leaf.getZ() - half >= band.high) continue;
-    Enter(leaf, tree_->isNodeOccupied(*leaf) ? std::int8_t{100} : std::int8_t{0}, grid);
-  }
-  return grid;
+  return GridOf(*tree_, {0, 1, 2, band.low, band.high});
+}
+
+OccupancyGrid VoxelMap::Section(const Cut& cut) const {
+  const int along = cut.along_x ? 0 : 1;
+  return GridOf(*tree_,
+                {along, 2, 1 - along, cut.at - cut.thickness / 2, cut.at + cut.thickness / 2});
 }
 
 Outcome VoxelMap::Save(const std::string& file) const {

@@ -7,6 +7,7 @@
 //   VoxelMap map(0.1);
 //   map.Add(points, pose, {0, 0, 1.2}, 10);
 //   const OccupancyGrid grid = map.Project({0.12, 1.5});
+//   const OccupancyGrid side = map.Section({true, 2.0});     // along x at y = 2 m
 #ifndef COPPICE_ROBOT_APP_SLAM_OCCUPANCY_VOXEL_MAP_H_
 #define COPPICE_ROBOT_APP_SLAM_OCCUPANCY_VOXEL_MAP_H_
 
@@ -30,6 +31,13 @@ struct HeightBand {
   double high = 1.5;
 };
 
+/// An upright cut through a map: along x at a y, or along y at an x.
+struct Cut {
+  bool along_x = true;
+  double at = 0;           ///< y, or x [m]
+  double thickness = 0.3;  ///< of what is shown, to both sides together [m]
+};
+
 /// Movable. Not thread-safe.
 class VoxelMap {
  public:
@@ -50,6 +58,9 @@ class VoxelMap {
   /// occupied, else unknown. Only cells that are known are inside; empty if there are none, or if
   /// they lie so far apart that the grid would have more than kMostCells.
   OccupancyGrid Project(const HeightBand& band = {}) const;
+
+  /// Seen from the side, in the same way: along the cut to the right, the height upwards.
+  OccupancyGrid Section(const Cut& cut) const;
 
   /// Of the voxels.
   double resolution() const;

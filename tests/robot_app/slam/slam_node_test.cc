@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <std_srvs/Trigger.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
 #include <csignal>
@@ -107,6 +108,20 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
                map->cells[static_cast<std::size_t>(map->frame.Index(wall))] == 100;
       },
       kPatience));
+  // It stands by now.
+  const Latest<visualization_msgs::MarkerArray> graph(node_, "/slam/graph");
+  ASSERT_TRUE(Eventually([&] { return graph.get() != nullptr; }, kPatience));
+  EXPECT_GE(graph.get()->markers[0].points.size(), 4U);
+  const Latest<diagnostic_msgs::DiagnosticArray> state(node_, "/diagnostics");
+  EXPECT_TRUE(Eventually(
+      [&] {
+        if (!state.get()) return false;
+        const auto& all = state.get()->status;
+        return std::any_of(all.begin(), all.end(), [](const auto& status) {
+          return status.name == "slam: map" && status.message == "maps: indoor";
+        });
+      },
+      kPatience));
   std_srvs::Trigger save;
   ASSERT_TRUE(ros::service::call("/slam/save", save));
   EXPECT_TRUE(save.response.success) << save.response.message;
@@ -128,10 +143,21 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
   EXPECT_EQ(second->map.names.size(), 2U);
   EXPECT_EQ(second->map.names[1].name, "tuesday");
 
-  const std::string log = Temporary("map.log"), plan = Temporary("plan.jpg");
-  EXPECT_EQ(RunToTheEnd({kPrograms + "coppice-map", kMaps, "--plan", plan}, log), 0);
+  const std::string log = Temporary("map.log"), plan = Temporary("plan.jpg"),
+                    section = Temporary("section.jpg");
+  const std::vector<std::string> map = {kPrograms + "coppice-map", kMaps, "--section", section};
+  const auto with = [&map](std::vector<std::string> more) {
+    more.insert(more.begin(), map.begin(), map.end());
+    return more;
+  };
+  EXPECT_EQ(RunToTheEnd(with({"--plan", plan}), log), 0);
   EXPECT_THAT(TextOf(log), HasSubstr("tuesday"));
   EXPECT_GT(std::filesystem::file_size(plan), 2000U);
+  EXPECT_GT(std::filesystem::file_size(section), 2000U);
+  EXPECT_EQ(RunToTheEnd(with({"--cut", "y=100"}), log), 1);
+  EXPECT_THAT(TextOf(log), HasSubstr("nothing is known there"));
+  EXPECT_EQ(RunToTheEnd(with({"--cut", "z=1"}), log), 1);
+  EXPECT_THAT(TextOf(log), HasSubstr("expected x=M or y=M, not \"z=1\""));
 }
 
 TEST_F(SlamNodeTest, KilledWhileItMapsItHasLostNothing) {

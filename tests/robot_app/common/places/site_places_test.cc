@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/support/folders.h"
 
@@ -126,6 +127,18 @@ TEST_F(SitePlacesTest, WhatItLearntOutlivesTheProgram) {
   };
   EXPECT_DOUBLE_EQ(guide.memory().records()[edge("corridor_middle", "corridor_103")].seconds, 30);
   EXPECT_EQ(guide.memory().records()[edge("corridor_103", "office_103")].failures, 1);
+}
+
+TEST_F(SitePlacesTest, WhoShowsTheWaysHearsOfEachLeg) {
+  std::vector<int> trips;  // of all edges
+  places_.ShowWays([&](const RouteGuide& guide) {
+    trips.push_back(0);
+    for (const EdgeRecord& record : guide.memory().records()) trips.back() += record.trips;
+  });
+  LegTo(places_, {20, 0, 0}, "corridor_103");
+  clock_.Advance(std::chrono::seconds(10));
+  places_.Ended("corridor_middle -> corridor_103", true, {24, 0, 0});
+  EXPECT_EQ(trips, (std::vector<int>{0, 1}));
 }
 
 TEST_F(SitePlacesTest, AMemoryThatIsBrokenDoesNotKeepTheRobotFromStarting) {

@@ -43,6 +43,22 @@ TEST(VoxelMap, WhatIsHigherThanTheRobotIsNotInItsWay) {
   EXPECT_EQ(At(map.Project({0.12, 0.6}), 2.05, 1), 0);  // below the table's edge
 }
 
+TEST(VoxelMap, ASectionShowsHowHighThingsAre) {
+  VoxelMap map(0.1);
+  for (int i = 0; i < 3; ++i) map.Add(WallAndTable(), Pose3::Identity(), kSensor, 10);
+  const OccupancyGrid along_x = map.Section({true, 1.0});
+  EXPECT_EQ(At(along_x, 2.05, 0.7), 100);
+  EXPECT_EQ(At(along_x, 2.05, 1.5), 0);  // the wall is seen above the table
+  EXPECT_EQ(At(along_x, 3.05, 2.0), 100);
+  EXPECT_EQ(At(along_x, 3.4, 1.0), -1);
+  const OccupancyGrid beside = map.Section({true, 0});
+  EXPECT_EQ(At(beside, 2.05, 0.7), 0);
+  const OccupancyGrid along_y = map.Section({false, 3.05, 0.1});
+  EXPECT_EQ(At(along_y, -1.5, 1.0), 100);
+  EXPECT_EQ(At(along_y, -2.5, 1.0), -1);
+  EXPECT_EQ(map.Section({true, 30}).frame.size(), 0);
+}
+
 TEST(VoxelMap, PointsBeyondTheRangeOnlySayThatItIsFree) {
   VoxelMap map(0.1);
   map.Add(WallAndTable(), Pose3::Identity(), kSensor, 2.5);
