@@ -67,7 +67,7 @@ void Environment::Add(double stamp, const EnvironmentReading& reading) {
     other_ = now;
     return;
   }
-  if (now != other_) {
+  if (now != other_ || stamp < since_) {  // or time was set back
     other_ = now;
     since_ = stamp;
   }

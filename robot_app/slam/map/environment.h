@@ -54,7 +54,8 @@ class Environment {
  public:
   explicit Environment(EnvironmentSettings settings = {}) : settings_(settings) {}
 
-  /// `stamp` in seconds, ascending; of the first reading nothing is waited for.
+  /// `stamp` in seconds, ascending but where time is set back; of the first reading nothing is
+  /// waited for.
   void Add(double stamp, const EnvironmentReading& reading);
 
   /// A person says what it is; nothing: it is judged again.

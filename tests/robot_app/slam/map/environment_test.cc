@@ -51,6 +51,13 @@ TEST(Environment, WithoutWallsAndBrightItIsOutdoors) {
   EXPECT_TRUE(After(kHall, night, 10).is_dark());
 }
 
+TEST(Environment, WhereTimeIsSetBackItStillChanges) {
+  Environment environment = After(kOffice, kOffice, 1000);
+  environment.Add(1001, kHall);
+  for (double stamp = 0; stamp <= 4; ++stamp) environment.Add(stamp, kHall);
+  EXPECT_EQ(environment.surroundings(), Surroundings::kHall);
+}
+
 TEST(Environment, APersonMaySayWhatItIs) {
   Environment environment = After(kOffice, kOffice, 5);
   environment.Force(Surroundings::kOutdoor);
