@@ -32,6 +32,8 @@ class CurlHandle {
     Set(CURLOPT_NOPROGRESS, 0L);
     Set(CURLOPT_XFERINFODATA, const_cast<std::atomic<bool>*>(&cancelled));
     Set(CURLOPT_XFERINFOFUNCTION, &IsCancelled);
+    Set(CURLOPT_HEADERFUNCTION, &CountHeader);
+    Set(CURLOPT_HEADERDATA, &header_bytes_);
     Set(CURLOPT_ERRORBUFFER, error_);
   }
   ~CurlHandle() {
@@ -102,6 +104,12 @@ class CurlHandle {
     body.text.append(data, size * count);
     return size * count;
   }
+  // libcurl keeps them all, and sets no limit to those that come behind the body.
+  static std::size_t CountHeader(const char*, std::size_t size, std::size_t count, void* target) {
+    std::size_t& bytes = *static_cast<std::size_t*>(target);
+    bytes += size * count;
+    return bytes <= kMostHeaderBytes ? size * count : 0;
+  }
   static void Initialize() {
     static const CURLcode code = curl_global_init(CURL_GLOBAL_DEFAULT);
     if (code != CURLE_OK) throw std::runtime_error("libcurl cannot be used");
@@ -110,9 +118,12 @@ class CurlHandle {
     return *static_cast<const std::atomic<bool>*>(flag) ? 1 : 0;
   }
 
+  static constexpr std::size_t kMostHeaderBytes = std::size_t{256} << 10;
+
   CURL* const handle_;
   curl_slist* headers_ = nullptr;
   curl_slist* recipients_ = nullptr;
+  std::size_t header_bytes_ = 0;
   char error_[CURL_ERROR_SIZE] = {};
 };
 

@@ -67,6 +67,24 @@ TEST_F(HttpRequestTest, AReplyThatIsTooLongIsCutOffWithAnError) {
   EXPECT_EQ(Get(server.url()).problem(), "the answer is longer than 1048576 bytes");
 }
 
+TEST_F(HttpRequestTest, HeadersBehindTheBodyDoNotGoOnWithoutEnd) {
+  LocalServer server([](LocalServer::Socket& socket) {
+    boost::asio::streambuf request;
+    boost::asio::read_until(socket, request, "\r\n\r\n");
+    const std::string answer = "HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n";
+    boost::asio::write(socket, boost::asio::buffer(answer));
+    const std::string header = "X: " + std::string(1000, 'x') + "\r\n";
+    while (true) boost::asio::write(socket, boost::asio::buffer(header));
+  });
+  HttpRequest request;
+  request.method = "GET";
+  request.url = "http://127.0.0.1:" + server.port();
+  request.timeout = std::chrono::seconds(60);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(Exchange(request, never_));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+}
+
 TEST_F(HttpRequestTest, WhoHasCancelledDoesNotWait) {
   LocalServer silent([](LocalServer::Socket& socket) {
     boost::asio::streambuf buffer;
