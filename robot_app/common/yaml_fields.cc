@@ -1,5 +1,7 @@
 #include "robot_app/common/yaml_fields.h"
 
+#include <yaml-cpp/eventhandler.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -10,14 +12,58 @@
 namespace coppice::robot {
 namespace {
 
-constexpr std::size_t kLongest = 1 << 20;    // nodes of YAML take much more than their text
-constexpr std::size_t kMostNodes = 1 << 20;  // with aliases (*name) written out
-constexpr int kDeepest = 1000;               // levels; yaml-cpp reads no more without aliases
+constexpr std::size_t kLongest = 1 << 20;     // bytes
+constexpr std::size_t kMostValues = 1 << 17;  // as written; as a node each takes a kilobyte
+constexpr std::size_t kMostNodes = 1 << 20;   // with aliases (*name) written out
+constexpr int kDeepest = 1000;                // levels; yaml-cpp reads no more without aliases
 
 std::string ToText(double number) {
   std::ostringstream text;
   text << number;
   return text.str();
+}
+
+// Counts values without keeping them.
+class ValueCounter : public YAML::EventHandler {
+ public:
+  struct TooMany {};
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override { Count(); }
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {
+    Count();
+  }
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    Count();
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    Count();
+  }
+  void OnMapEnd() override {}
+
+ private:
+  void Count() {
+    if (++values_ > kMostValues) throw TooMany();
+  }
+  std::size_t values_ = 0;
+};
+
+bool HasTooManyValues(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  ValueCounter counter;
+  try {
+    parser.HandleNextDocument(counter);
+  } catch (const ValueCounter::TooMany&) {
+    return true;
+  }
+  return false;
 }
 
 // False if a few aliases of aliases stand for more than anybody writes, or one for what it is in.
@@ -48,25 +94,38 @@ YamlFields::YamlFields(std::string file, YAML::Node node, Diagnostics& diagnosti
   }
 }
 
-YamlFields YamlFields::Load(const std::string& path, Diagnostics& diagnostics) {
-  YAML::Node root;
+std::optional<YAML::Node> LoadYaml(const std::string& path, Diagnostics& diagnostics) {
+  const std::optional<std::string> text = ReadFile(path, diagnostics, kLongest);
+  return text ? ParseYaml(*text, path, diagnostics) : std::nullopt;
+}
+
+std::optional<YAML::Node> ParseYaml(const std::string& text, const std::string& file,
+                                    Diagnostics& diagnostics) {
+  const auto fail = [&](const YAML::Mark& mark, const std::string& message) {
+    diagnostics.Error({file, static_cast<std::uint32_t>(mark.line + 1),
+                       static_cast<std::uint32_t>(mark.column + 1)},
+                      message);
+    return std::nullopt;
+  };
+  const YAML::Mark begin;
   try {
-    const std::optional<std::string> text = ReadFile(path, diagnostics, kLongest);
-    if (text) root = YAML::Load(*text);
-    if (text && !root.IsMap()) {
-      diagnostics.Error({path, 1, 1}, "expected a mapping of keys to values");
+    if (HasTooManyValues(text)) {
+      return fail(begin, "more than " + std::to_string(kMostValues) + " values");
     }
+    YAML::Node root = YAML::Load(text);
     std::size_t nodes = 0;
-    if (!IsOfReasonableSize(root, nodes, 0)) {
-      root = YAML::Node();
-      diagnostics.Error({path, 1, 1}, "too large with its aliases (*name) written out");
-    }
+    if (IsOfReasonableSize(root, nodes, 0)) return root;
+    return fail(begin, "too large with its aliases (*name) written out");
   } catch (const YAML::ParserException& error) {
-    diagnostics.Error({path, static_cast<std::uint32_t>(error.mark.line + 1),
-                       static_cast<std::uint32_t>(error.mark.column + 1)},
-                      error.msg);
+    return fail(error.mark, error.msg);
   }
-  return YamlFields(path, root.IsMap() ? root : YAML::Node(YAML::NodeType::Map), diagnostics);
+}
+
+YamlFields YamlFields::Load(const std::string& path, Diagnostics& diagnostics) {
+  const std::optional<YAML::Node> root = LoadYaml(path, diagnostics);
+  if (root && root->IsMap()) return {path, *root, diagnostics};
+  if (root) diagnostics.Error({path, 1, 1}, "expected a mapping of keys to values");
+  return {path, YAML::Node(YAML::NodeType::Map), diagnostics};
 }
 
 SourceLocation YamlFields::Where(const YAML::Node& node) const {

@@ -23,6 +23,12 @@
 
 namespace coppice::robot {
 
+/// A whole file as values, or an error at its line: at most 1 MiB and 131072 values, and no more
+/// than eight times as many with aliases (*name) written out.
+std::optional<YAML::Node> LoadYaml(const std::string& path, Diagnostics& diagnostics);
+std::optional<YAML::Node> ParseYaml(const std::string& text, const std::string& file,
+                                    Diagnostics& diagnostics);
+
 /// A text of the file and where it stands.
 struct LocatedText {
   std::string text;

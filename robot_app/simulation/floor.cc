@@ -2,9 +2,9 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
+
+#include "robot_app/common/yaml_fields.h"
 
 namespace coppice::robot::simulation {
 namespace {
@@ -315,32 +315,30 @@ Floor ReadFloor(Reader& reader, const YAML::Node& root) {
   return floor;
 }
 
+std::optional<Floor> FloorOf(const std::optional<YAML::Node>& root, const std::string& file,
+                             Diagnostics& diagnostics) {
+  if (!root) return std::nullopt;
+  Diagnostics found;
+  Reader reader(file, found);
+  std::optional<Floor> floor;
+  try {
+    floor = ReadFloor(reader, *root);
+  } catch (const YAML::Exception& e) {
+    reader.Error(e.mark, e.msg);
+  }
+  for (const Diagnostic& d : found.all()) diagnostics.Error(d.where, d.message, d.hint);
+  return found.has_errors() ? std::nullopt : floor;
+}
+
 }  // namespace
 
 std::optional<Floor> ParseFloor(const std::string& yaml, const std::string& file,
                                 Diagnostics& diagnostics) {
-  Reader reader(file, diagnostics);
-  Diagnostics found;
-  Reader checked(file, found);
-  try {
-    const Floor floor = ReadFloor(checked, YAML::Load(yaml));
-    for (const Diagnostic& d : found.all()) diagnostics.Error(d.where, d.message, d.hint);
-    if (found.has_errors()) return std::nullopt;
-    return floor;
-  } catch (const YAML::Exception& e) {  // not YAML at all
-    reader.Error(e.mark, e.msg);
-    return std::nullopt;
-  }
+  return FloorOf(ParseYaml(yaml, file, diagnostics), file, diagnostics);
 }
 
 std::optional<Floor> LoadFloor(const std::string& file, Diagnostics& diagnostics) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) {
-    diagnostics.Error({file, 0, 0}, "cannot read the floor description");
-    return std::nullopt;
-  }
-  return ParseFloor(text.str(), file, diagnostics);
+  return FloorOf(LoadYaml(file, diagnostics), file, diagnostics);
 }
 
 std::optional<Segment> DoorLeaf(const Door& door, bool open) {

@@ -89,6 +89,14 @@ TEST_F(YamlFieldsTest, SomethingWithinItselfIsAnError) {
   EXPECT_THAT(diagnostics_.ToString(), HasSubstr("too large with its aliases"));
 }
 
+// Half a megabyte of them would take as many megabytes as there are thousands of values.
+TEST_F(YamlFieldsTest, VeryManyValuesAreAnError) {
+  std::string text = "a: [";
+  for (int i = 0; i < 250'000; ++i) text += "x,";
+  Read(text + "x]\n");
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr(":1:1: error: more than 131072 values\n"));
+}
+
 TEST_F(YamlFieldsTest, SaysThatTheFileIsMissing) {
   YamlFields::Load("/nowhere/x.yaml", diagnostics_);
   EXPECT_EQ(diagnostics_.ToString(),
