@@ -20,11 +20,20 @@
 namespace coppice::robot::processes {
 namespace {
 
-// For its owner alone: what a program prints may be secret.
+// For its owner alone: what a program prints may be secret. Somebody may have put a link to another
+// file into a folder like /tmp, or a pipe that nobody reads.
 int OpenLog(const std::string& path, int flags) {
-  const int log = open(path.c_str(), O_CREAT | O_CLOEXEC | flags, 0600);
-  if (log >= 0) fchmod(log, 0600);
-  return log;
+  const int log = open(path.c_str(), O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | flags, 0600);
+  struct stat status {};
+  if (log < 0) return log;
+  if (fstat(log, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+      status.st_uid == geteuid()) {
+    fchmod(log, 0600);
+    return log;
+  }
+  close(log);
+  errno = EPERM;
+  return -1;
 }
 
 // Without reading it into memory. On a full disk only a part arrives.
@@ -42,8 +51,8 @@ void BeginAnewIfLong(const std::string& path, std::int64_t most) {
     return;
   }
   const int log = OpenLog(path, O_RDWR);
-  const int kept = OpenLog(path + ".1", O_WRONLY | O_TRUNC);
-  if (log >= 0 && kept >= 0) CopyEnd(log, status.st_size, most, kept);
+  const int kept = OpenLog(path + ".1", O_WRONLY);
+  if (log >= 0 && kept >= 0 && ftruncate(kept, 0) == 0) CopyEnd(log, status.st_size, most, kept);
   if (log >= 0 && ftruncate(log, 0) != 0) {
     std::cerr << "cannot shorten " << path << ": " << std::strerror(errno) << "\n";
   }

@@ -99,6 +99,25 @@ TEST_F(PosixLauncherTest, StartsAProgramWhoseLogCannotBeWrittenAndSaysSo) {
   EXPECT_EQ(WEXITSTATUS(WaitForEnd(pid)), 3);
 }
 
+TEST_F(PosixLauncherTest, WritesThroughNoLinkThatSomebodyHasPutInThePlaceOfALog) {
+  const std::string other = folder_ + "/other", log = folder_ + "/child.log";
+  std::ofstream(other) << "whole";
+  std::filesystem::permissions(other, std::filesystem::perms(0644));
+  for (const bool is_hard : {false, true}) {
+    if (is_hard) {
+      std::filesystem::create_hard_link(other, log);
+    } else {
+      std::filesystem::create_symlink(other, log);
+    }
+    WaitForEnd(Shell("echo through"));
+    EXPECT_EQ(TextOf(other), "whole");
+    EXPECT_EQ(std::filesystem::status(other).permissions(), std::filesystem::perms(0644));
+    std::filesystem::remove(log);
+  }
+  ASSERT_EQ(mkfifo(log.c_str(), 0600), 0);
+  WaitForEnd(Shell("true"));  // nobody waits for one who reads it
+}
+
 TEST_F(PosixLauncherTest, ALogThatHasGrownTooLongBeginsAnewAndItsEndIsKept) {
   const auto most = std::to_string(PosixLauncher::kMostLogBytes);
   WaitForEnd(Shell("echo oldest; yes | head -c " + most + "; echo newest"));
