@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "bt_core/model/utf8.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr std::string_view kOpen = "<!--";
 constexpr std::string_view kClose = "-->";
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::string_view kBlanksOfALine = " \t";
+constexpr std::size_t kLongest = 1000;  // bytes: each instance of a tree has them
 
 bool IsBlank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
@@ -26,10 +29,10 @@ bool SaysSomething(std::string_view comment) {
                      [](unsigned char c) { return c >= 0x80 || std::isalnum(c) != 0; });
 }
 
-// Adds the words of a comment.
+// Adds the words of a comment, of a long one the first.
 void AddWords(std::string_view comment, std::string& note) {
   if (!SaysSomething(comment)) return;
-  for (std::size_t i = 0; i < comment.size(); ++i) {
+  for (std::size_t i = 0; i < comment.size() && note.size() < kLongest; ++i) {
     if (!IsBlank(comment[i])) {
       note += comment[i];
     } else if (!note.empty() && note.back() != ' ') {
@@ -43,7 +46,7 @@ void AddWords(std::string_view comment, std::string& note) {
 // at one that follows something else on its line: that one is about what it follows.
 void AddBefore(std::string_view text, std::size_t offset, std::string& note) {
   std::string before;
-  while (true) {
+  while (before.size() < kLongest) {
     const std::size_t end = text.find_last_not_of(kBlanks, offset - 1);
     if (end == std::string_view::npos || end + 1 < kClose.size() + kOpen.size()) break;
     if (text.substr(end + 1 - kClose.size(), kClose.size()) != kClose) break;
@@ -65,7 +68,7 @@ void AddBefore(std::string_view text, std::size_t offset, std::string& note) {
 // The comments that begin behind `offset` with nothing but these blanks between them.
 void AddBehind(std::string_view text, std::size_t offset, std::string_view blanks,
                std::string& note) {
-  while (true) {
+  while (note.size() < kLongest) {
     const std::size_t begin = text.find_first_not_of(blanks, offset);
     if (begin == std::string_view::npos || text.substr(begin, kOpen.size()) != kOpen) return;
     const std::size_t end = text.find(kClose, begin + kOpen.size());
@@ -90,7 +93,7 @@ std::string NoteOf(const Document& document, ElementIndex index) {
   const bool last = element.next_sibling == kNoElement;
   AddBehind(text, element.end, last ? kBlanks : kBlanksOfALine, note);
   if (!note.empty()) note.pop_back();
-  return note;
+  return note.size() > kLongest ? PlainText(note, kLongest) : note;
 }
 
 }  // namespace coppice::editor

@@ -12,8 +12,8 @@
 
 namespace coppice::editor {
 
-/// All comments about that element, as one line with single blanks. Looks only at what lies between
-/// the element and its neighbours.
+/// All comments about that element, as one line with single blanks, of a long one the beginning.
+/// Looks only at what lies between the element and its neighbours.
 std::string NoteOf(const Document& document, ElementIndex element);
 
 }  // namespace coppice::editor

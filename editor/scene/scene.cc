@@ -14,6 +14,9 @@
 namespace coppice::editor {
 namespace {
 
+// Each instance of a tree has texts of its own; a small file can ask for gigabytes of them.
+constexpr std::size_t kMostTextBytes = std::size_t{24} << 20;
+
 bool IsHidden(std::string_view name) {
   return name == "name" || name == "ID" || name == "_uid" || name == "_fullpath";
 }
@@ -134,7 +137,26 @@ class Builder {
     }
     node.disabled = document.AttributeValue(element, "_skipIf") == "true" ||
                     (open.parent != kNoSceneNode && scene_.nodes[open.parent].disabled);
-    node.note = NoteOf(document, open.element);
+    node.note = open.tree == 0 ? NoteOf(document, open.element) : KnownNote(document, open.element);
+    text_bytes_ += node.path.size() + node.note.size();
+    if (open.tree != 0) text_bytes_ += TextOf(document, element);
+  }
+
+  // What there is to measure and to paint in each instance.
+  static std::size_t TextOf(const Document& document, const Element& element) {
+    std::size_t bytes = element.tag.size();
+    for (const Attribute* a = document.attributes_begin(element);
+         a != document.attributes_end(element); ++a) {
+      bytes += a->name.size() + a->value.size();
+    }
+    return bytes;
+  }
+
+  // Looked for once, however often the tree is written out.
+  const std::string& KnownNote(const Document& document, ElementIndex element) {
+    const auto [at, is_new] = notes_.try_emplace(&document.element(element));
+    if (is_new) at->second = NoteOf(document, element);
+    return at->second;
   }
 
   // The same few tags come again and again.
@@ -177,7 +199,8 @@ class Builder {
                    const Open& open) {
     const int tree = forest_.Resolve(document, element);
     if (tree < 0) return;
-    if (IsInside(tree, open.tree) || scene_.nodes.size() + open_.size() > limit_) {
+    if (IsInside(tree, open.tree) || scene_.nodes.size() + open_.size() > limit_ ||
+        text_bytes_ > kMostTextBytes) {
       scene_.nodes[index].recursive = true;
       return;
     }
@@ -185,6 +208,7 @@ class Builder {
     const auto scope = static_cast<std::uint32_t>(scene_.scopes.size());
     scene_.scopes.push_back(entry.instance_path.empty() ? InstancePath(index, open.scope)
                                                         : entry.instance_path);
+    text_bytes_ += scene_.scopes.back().size();
     trees_.push_back({tree, open.tree});
     PushChildren(entry.document, forest_.documents()[entry.document]->element(entry.element), index,
                  scope, static_cast<std::uint32_t>(trees_.size() - 1));
@@ -220,7 +244,9 @@ class Builder {
   std::vector<Open> open_;
   std::vector<TreeInstance> trees_;
   std::unordered_map<std::string_view, TagMeaning> tags_;
-  std::vector<const Attribute*> undeclared_;  // of the node that is being added
+  std::unordered_map<const Element*, std::string> notes_;  // of what may be written out again
+  std::size_t text_bytes_ = 0;                             // paths, notes and scopes of the scene
+  std::vector<const Attribute*> undeclared_;               // of the node that is being added
 };
 
 }  // namespace

@@ -18,6 +18,20 @@ TEST(Notes, StandAboveWhatTheyAreAbout) {
   EXPECT_EQ(Note("<A><!-- first --><B/>\n<C/></A>", "1.2"), "");
 }
 
+TEST(Notes, OfManyWordsAreCut) {
+  const std::string word = "gr\xC3\xBC\xC3\x9F ";
+  std::string comment, comments;
+  for (int i = 0; i < 100'000; ++i) {
+    comment += word;
+    comments += "<!--" + word + "-->";
+  }
+  const std::string note = Note("<A><!--" + comment + "--><B/>\n</A>", "1.1");
+  EXPECT_EQ(note.substr(0, 8), word + "g");
+  EXPECT_LE(note.size(), 1000U);
+  EXPECT_GT(note.size(), 990U);
+  EXPECT_LE(Note("<A>" + comments + "<B/>\n</A>", "1.1").size(), 1000U);
+}
+
 TEST(Notes, AreTakenTogether) {
   EXPECT_EQ(Note("<A>\n<!-- one -->\n\n<!-- two -->\n<B/></A>", "1.1"), "one two");
 }

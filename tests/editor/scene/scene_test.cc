@@ -92,6 +92,23 @@ TEST_F(SceneTest, StopsGrowingAtTheLimit) {
   EXPECT_LT(scene.nodes.size(), 1200U);
 }
 
+// What each instance takes along: the comment, and the path of the one around it.
+TEST_F(SceneTest, StopsGrowingWhenItsTextsTakeTooMuch) {
+  std::string calls;
+  for (int i = 0; i < 900; ++i) calls += "<SubTree ID=\"B\"/>";
+  const Scene& scene =
+      Build("<root><BehaviorTree ID=\"M\"><SubTree ID=\"A\" name=\"" + std::string(100'000, 'n') +
+                "\"/></BehaviorTree>" + "<BehaviorTree ID=\"A\"><Sequence>" + calls +
+                "</Sequence></BehaviorTree><BehaviorTree ID=\"B\"><!-- " +
+                std::string(100'000, 'c') + " --><AlwaysSuccess/></BehaviorTree></root>",
+            10'000);
+  std::size_t bytes = 0;
+  for (const std::string& scope : scene.scopes) bytes += scope.size();
+  for (const SceneNode& node : scene.nodes) bytes += node.path.size() + node.note.size();
+  EXPECT_LT(bytes, std::size_t{26} << 20);
+  EXPECT_GT(bytes, std::size_t{20} << 20);
+}
+
 TEST_F(SceneTest, IsEmptyWithoutATree) {
   EXPECT_TRUE(Build("<root/>").nodes.empty());
   EXPECT_TRUE(Build(R"(<root><BehaviorTree ID="E"/></root>)").nodes.empty());
