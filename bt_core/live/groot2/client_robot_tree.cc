@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMostNodes = 65535;  // that the protocol can number
 constexpr int kDeepest = 2000;             // no tree that somebody has written
+constexpr std::size_t kMostPathBytes = std::size_t{32} << 20;
 
 const BuiltIn* FindBuiltIn(std::string_view id) {
   const std::vector<BuiltIn>& all = BuiltIns();
@@ -82,6 +83,7 @@ class Reader {
     std::uint16_t uid = 0;
     if (!ReadUid(element, uid) || tree_.uids.size() >= kMostNodes) return;
     if (depth_ >= kDeepest) return Complain(element, "the robot's tree is too deep");
+    if (path_bytes_ > kMostPathBytes) return Complain(element, "the paths of nodes are too long");
     ++depth_;
     const auto node = static_cast<NodeIndex>(tree_.uids.size());
     tree_.nodes.emplace(uid, node);
@@ -97,6 +99,7 @@ class Reader {
     described.element = index;
     described.path = is_subtree ? std::string(document_.AttributeValue(element, "_fullpath"))
                                 : PathOf(element, id, instance, uid);
+    path_bytes_ += described.path.size();
     tree_.description.nodes.push_back(described);
     if (is_subtree) {
       Enter(described.path, node, element);
@@ -152,6 +155,7 @@ class Reader {
   std::map<std::string, ElementIndex, std::less<>> instances_;  // that no node has taken yet
   std::map<std::string, NodeCategory, std::less<>> categories_;
   RobotTree tree_;
+  std::size_t path_bytes_ = 0;
   int depth_ = 0;
 };
 

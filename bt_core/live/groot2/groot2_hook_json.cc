@@ -11,6 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t kMostHooks = 1000;  // that a robot is believed to have
+
 int Number(HookPosition position) { return position == HookPosition::kBefore ? 0 : 1; }
 HookPosition PositionOf(int number) {
   return number == 0 ? HookPosition::kBefore : HookPosition::kAfter;
@@ -87,6 +89,7 @@ std::vector<ListedHook> ReadHooks(std::string_view json) {
                     : status == "FAILURE" ? Status::kFailure
                                           : Status::kSkipped;  // it replaces nothing
       hooks.push_back(std::move(listed));
+      if (hooks.size() == kMostHooks) break;
     }
   } catch (const std::exception&) {  // what came until then are hooks
   }

@@ -25,7 +25,8 @@ struct ListedHook {
   std::uint16_t uid = 0;
   Hook hook;  ///< without its node
 };
-/// The answer to HOOKS_DUMP, any bytes; what is no hook is passed over.
+/// The answer to HOOKS_DUMP, any bytes; what is no hook is passed over, and so is what comes after
+/// the first thousand.
 std::vector<ListedHook> ReadHooks(std::string_view json);
 
 /// The nodes of a path (Hook::path).

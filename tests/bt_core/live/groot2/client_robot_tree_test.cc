@@ -81,5 +81,21 @@ TEST(ClientRobotTree, RefusesNonsense) {
   }
 }
 
+// A robot that is none could have each node take the whole of a long path.
+TEST(ClientRobotTree, RefusesPathsThatMultiply) {
+  const std::string path(100'000, 'p');
+  std::string nodes;
+  for (int i = 3; i < 1000; ++i) nodes += "<Open _uid=\"" + std::to_string(i) + "\"/>";
+  Diagnostics diagnostics;
+  const RobotTree tree = Read(
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"M\" _fullpath=\"\">"
+      "<SubTree ID=\"T\" _uid=\"1\" _fullpath=\"" +
+          path + "\"/></BehaviorTree><BehaviorTree ID=\"T\" _fullpath=\"" + path +
+          "\"><Sequence _uid=\"2\">" + nodes + "</Sequence></BehaviorTree></root>",
+      diagnostics);
+  EXPECT_TRUE(tree.uids.empty());
+  EXPECT_THAT(diagnostics.ToString(), HasSubstr("the paths of nodes are too long"));
+}
+
 }  // namespace
 }  // namespace coppice

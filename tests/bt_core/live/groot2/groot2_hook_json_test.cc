@@ -58,6 +58,15 @@ TEST(Groot2HookJson, PassesOverWhatIsNoHook) {
   }
 }
 
+// Each is compared with each.
+TEST(Groot2HookJson, ReadsNoMoreThanAThousand) {
+  std::string json = "[";
+  for (int i = 0; i < 3000; ++i) {
+    json += (i == 0 ? "" : ",") + WriteHookInsert({}, static_cast<std::uint16_t>(i));
+  }
+  EXPECT_EQ(ReadHooks(json + "]").size(), 1000u);
+}
+
 TEST(Groot2HookJson, SaysWhatIsTooMuchForTheProtocol) {
   Hook hook;
   EXPECT_EQ(CheckHook(hook).problem(), "");
