@@ -9,6 +9,7 @@ namespace {
 constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::size_t kDeepest = 10'000;
 constexpr std::size_t kMostPathBytes = std::size_t{32} << 20;
+constexpr std::size_t kUsualPath = 100;  // bytes: of so many there may be one for each node
 constexpr std::size_t kMostOtherBytes = std::size_t{128} << 20;
 
 std::shared_ptr<Program> EmptyProgram(const Project& project,
@@ -129,7 +130,16 @@ NodeIndex TreeCompiler::AddRecord(NodeType type, const Site& site, const Registr
   const bool guarded = guards_.Read(site, node, program_->guards);
   program_->nodes.push_back({type, guarded ? NodeType::kGuarded : type, node + 1, first_port});
   program_->info.push_back({entry, parent, site.scope, site.index, site.element.offset});
+  CountPath(site);
   return node;
+}
+
+// A record, and the live view, tell the path of each node and of what its ports are bound to.
+void TreeCompiler::CountPath(const Site& site) {
+  const std::string_view name = site.document.AttributeValue(site.element, "name");
+  const std::string_view own = name.empty() ? std::string_view(site.element.tag) : name;
+  const std::size_t length = program_->layout.scopes[site.scope].size() + own.size();
+  if (length > kUsualPath) long_path_bytes_ += length * (1 + site.element.attribute_count);
 }
 
 void TreeCompiler::AddLeaf(NodeIndex node) {
@@ -149,6 +159,9 @@ bool TreeCompiler::IsTooBig(const Site& site) {
   } else if (subtrees_.path_bytes() > kMostPathBytes) {
     reason =
         "the paths of the SubTrees take more than " + std::to_string(kMostPathBytes >> 20) + " MiB";
+  } else if (long_path_bytes_ > kMostPathBytes) {
+    reason = "the long paths of the nodes and their ports take more than " +
+             std::to_string(kMostPathBytes >> 20) + " MiB";
   } else if (keys_.bytes() + scripts_.bytes() > kMostOtherBytes) {
     reason = "the keys, values and scripts take more than " +
              std::to_string(kMostOtherBytes >> 20) + " MiB";

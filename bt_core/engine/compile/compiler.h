@@ -55,6 +55,7 @@ class TreeCompiler {
   NodeIndex AddRecord(NodeType type, const Site& site, const Registry::Entry* entry,
                       NodeIndex parent);
   void AddLeaf(NodeIndex node);
+  void CountPath(const Site& site);
   bool IsTooBig(const Site& site);
   void GiveBackSpareMemory();
 
@@ -69,6 +70,7 @@ class TreeCompiler {
   NodeLookup lookup_;
   SubTreeBinder subtrees_;
   std::vector<Level> levels_;
+  std::size_t long_path_bytes_ = 0;  // of nodes and ports, each with the whole path
   bool too_big_ = false;
 };
 

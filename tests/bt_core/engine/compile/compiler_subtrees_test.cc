@@ -162,6 +162,36 @@ TEST(SubTree, DoublingIsStoppedBeforeMemoryIsUsedUp) {
   }
   trees += Tree("T40", "<AlwaysSuccess/>");
   const std::string problems = Problems(trees);
+  EXPECT_NE(
+      problems.find("error: the long paths of the nodes and their ports take more than 32 MiB"),
+      std::string::npos)
+      << problems.substr(0, 300);
+}
+
+// In a record each node has its path, and each literal that of its node.
+TEST(SubTree, ALongPathIsNotGivenToThousandsOfNodes) {
+  const std::string name(100'000, 'n');
+  std::string nodes;
+  for (int i = 0; i < 200; ++i) nodes += "<Sleep msec=\"" + std::to_string(i) + "\"/>";
+  const std::string problems = Problems(Tree("Main", "<SubTree ID=\"T\" name=\"" + name + "\"/>") +
+                                        Tree("T", "<Sequence>" + nodes + "</Sequence>"));
+  EXPECT_NE(problems.find("long paths of the nodes and their ports take more than 32 MiB"),
+            std::string::npos)
+      << problems.substr(0, 300);
+}
+
+TEST(SubTree, PathsOfUsualLengthHaveABoundTogether) {
+  const auto calls = [](const char* id, const std::string& begin) {
+    std::string text = "<Sequence>";
+    for (int i = 0; i < 700; ++i) {
+      text +=
+          std::string("<SubTree ID=\"") + id + "\" name=\"" + begin + std::to_string(i) + "\"/>";
+    }
+    return text + "</Sequence>";
+  };
+  const std::string problems =
+      Problems(Tree("Main", calls("T1", "")) + Tree("T1", calls("T2", std::string(70, 'n'))) +
+               Tree("T2", "<AlwaysSuccess/>"));
   EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 32 MiB"),
             std::string::npos)
       << problems.substr(0, 300);
@@ -237,8 +267,9 @@ TEST(SubTree, ALongChainIsStoppedBeforeMemoryIsUsedUp) {
   }
   trees += Tree("T50000", "<AlwaysSuccess/>");
   const std::string problems = Problems(trees);
-  EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 32 MiB"),
-            std::string::npos)
+  EXPECT_NE(
+      problems.find("error: the long paths of the nodes and their ports take more than 32 MiB"),
+      std::string::npos)
       << problems;
 }
 
