@@ -11,7 +11,8 @@ constexpr char kMeantBefore[] = "did you mean \"";
 constexpr char kMeantBehind[] = "\"?";
 // Beyond these a file is no longer one that people write; it could take minutes to be refused.
 constexpr std::size_t kMostNames = 2000;
-constexpr std::size_t kLongestName = 1000;  // letters
+constexpr std::size_t kLongestName = 1000;        // letters
+constexpr std::size_t kMostCompared = 1'000'000;  // letters with letters, for one name
 
 // One line, and nothing that a terminal obeys: names of a file may hold what they like.
 std::string WithoutControls(const std::string& text) {
@@ -110,10 +111,13 @@ std::string NearestName(std::string_view name, const std::vector<std::string>& c
   const std::string wanted = Lower(name);
   std::size_t best_distance = std::max<std::size_t>(1, wanted.size() / 3) + 1;
   std::string best;
+  std::size_t compared = 0;
   for (const std::string& candidate : candidates) {
     const std::size_t longer = std::max(wanted.size(), candidate.size());
     const std::size_t shorter = std::min(wanted.size(), candidate.size());
     if (longer - shorter >= best_distance || shorter > kLongestName) continue;
+    compared += longer * shorter;
+    if (compared > kMostCompared) break;
     const std::size_t distance = EditDistance(wanted, Lower(candidate));
     if (distance < best_distance) {
       best_distance = distance;

@@ -23,6 +23,8 @@ bool DifferOnlyInCase(std::string_view a, std::string_view b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
 }
 
+const std::string& Same(const std::string& type) { return type; }
+
 }  // namespace
 
 std::optional<FoundNode> NodeLookup::Find(const Site& site) {
@@ -122,14 +124,19 @@ void NodeLookup::WarnOfUnknown(const Site& site, std::string_view id) {
 const std::string& NodeLookup::NearestType(std::string_view id) {
   const auto known = nearest_.find(id);
   if (known != nearest_.end()) return known->second;
-  return nearest_.emplace(id, NearestName(id, registry_.Ids())).first->second;
+  return nearest_.emplace(id, problems_.Nearest(id, Types(), Same)).first->second;
 }
 
-std::string NodeLookup::Advice(std::string_view id) const {
+std::string NodeLookup::Advice(std::string_view id) {
   if (project_.Find(id)) return "a tree is used as <SubTree ID=" + Quoted(id) + "/>";
   const std::string_view now = NodeNameInFormat4(id);
   if (!now.empty()) return "in format 4 it is " + std::string(now);
-  return DidYouMean(id, registry_.Ids());
+  return problems_.Advise(id, Types(), Same);
+}
+
+const std::vector<std::string>& NodeLookup::Types() {
+  if (types_.empty()) types_ = registry_.Ids();
+  return types_;
 }
 
 // A model that a file brings along may be older than the node: it is good for warnings.
@@ -143,11 +150,10 @@ void NodeLookup::CheckAgainstModel(const Site& site, const NodeModel& model) {
   }
   for (const Attribute& attribute : site) {
     if (IsReservedAttribute(attribute.name) || model.FindPort(attribute.name)) continue;
-    std::vector<std::string> names;
-    for (const PortModel& port : model.ports) names.push_back(port.name);
+    const auto name_of = [](const PortModel& port) { return port.name; };
     problems_.Warning(site.document, attribute.name_offset,
                       "the model of " + model.id + " has no port " + Quoted(attribute.name),
-                      DidYouMean(attribute.name, names),
+                      problems_.Advise(attribute.name, model.ports, name_of),
                       {ProblemKind::kUnknownPort, std::string(attribute.name)});
   }
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bt_core/engine/compile/compiler_problems.h"
 #include "bt_core/engine/compiler_site.h"
@@ -46,13 +47,15 @@ class NodeLookup {
   void WarnOfUnknown(const Site& site, std::string_view id);
   void CheckAgainstModel(const Site& site, const NodeModel& model);
   void CheckForm(const Site& site, std::string_view id, NodeCategory category);
-  std::string Advice(std::string_view id) const;
+  std::string Advice(std::string_view id);
+  const std::vector<std::string>& Types();
   const std::string& NearestType(std::string_view id);
 
   const Project& project_;
   const Registry& registry_;
   const Tolerance tolerance_;
   Problems& problems_;
+  std::vector<std::string> types_;  // registered ones, once they are asked for
   std::map<std::string, std::string, std::less<>> nearest_;  // registered types, by unknown ones
 };
 

@@ -79,14 +79,13 @@ void PortBinder::CheckNames(const Registry::Entry& entry, const Site& site) {
     if (IsReservedAttribute(attribute.name)) continue;
     const auto is_meant = [&](const PortDeclaration& port) { return port.name == attribute.name; };
     if (std::any_of(ports.begin(), ports.end(), is_meant)) continue;
-    std::vector<std::string> names;
-    for (const PortDeclaration& port : ports) names.push_back(port.name);
+    const auto name_of = [](const PortDeclaration& port) { return port.name; };
     const std::string_view now = PortNameInFormat4(entry.manifest.id, attribute.name);
-    problems_.Error(
-        site.document, attribute.name_offset,
-        entry.manifest.id + " has no port " + Quoted(attribute.name),
-        now.empty() ? DidYouMean(attribute.name, names) : "in format 4 it is " + std::string(now),
-        {ProblemKind::kUnknownPort, std::string(attribute.name)});
+    problems_.Error(site.document, attribute.name_offset,
+                    entry.manifest.id + " has no port " + Quoted(attribute.name),
+                    now.empty() ? problems_.Advise(attribute.name, ports, name_of)
+                                : "in format 4 it is " + std::string(now),
+                    {ProblemKind::kUnknownPort, std::string(attribute.name)});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "bt_core/base/diagnostic.h"
 #include "bt_core/engine/compile/sibling_files.h"
@@ -36,13 +37,31 @@ class Problems {
   /// True the first time: for what is said once and not in every place.
   bool IsFirst(const std::string& topic) { return topics_.insert(topic).second; }
 
+  /// As NearestName and DidYouMean: `name_of` gives the name of each candidate. A file of very many
+  /// unknown names gets no advice any more once looking for it has taken long.
+  template <class Candidates, class NameOf>
+  std::string Nearest(std::string_view name, const Candidates& candidates, NameOf name_of) {
+    if (!MayCompare(name, candidates.size())) return {};
+    std::vector<std::string> names;
+    for (const auto& candidate : candidates) names.push_back(name_of(candidate));
+    return NearestName(name, names);
+  }
+  template <class Candidates, class NameOf>
+  std::string Advise(std::string_view name, const Candidates& candidates, NameOf name_of) {
+    const std::string nearest = Nearest(name, candidates, name_of);
+    return nearest.empty() ? nearest : DidYouMean(name, {nearest});
+  }
+
   bool has_errors() const { return diagnostics_.has_errors(); }
 
   /// For advice about what is missing.
   SiblingFiles& siblings() { return siblings_; }
 
  private:
+  bool MayCompare(std::string_view name, std::size_t candidates);
+
   Diagnostics& diagnostics_;
+  std::size_t compared_ = 0;  // letters with letters, about
   std::set<std::tuple<const Document*, std::uint32_t, std::string>> known_;
   std::set<std::string> topics_;
   SiblingFiles siblings_;

@@ -30,10 +30,10 @@ const TreeDefinition* SubTreeBinder::Find(const Site& site, std::string_view id)
 }
 
 void SubTreeBinder::ReportMissing(const Site& site, std::string_view id) {
-  std::vector<std::string> ids;
-  for (const auto& [known, definition] : project_.trees()) ids.push_back(known);
   const std::string file = problems_.siblings().FindTree(site.document.file(), id);
-  std::string advice = file.empty() ? DidYouMean(id, ids) : file + " has it; include that file";
+  const auto id_of = [](const auto& tree) { return tree.first; };
+  const std::string advice = file.empty() ? problems_.Advise(id, project_.trees(), id_of)
+                                          : file + " has it; include that file";
   if (!tolerance_.unknown_trees) {
     problems_.Error(site.document, site.element.offset, "no tree " + Quoted(id), advice);
   } else {
@@ -135,12 +135,11 @@ void SubTreeBinder::ReportMissingPort(const Site& site, const NodeModel& model,
 void SubTreeBinder::CheckNames(const Site& site, const NodeModel& model) {
   for (const Attribute& attribute : site) {
     if (IsReservedAttribute(attribute.name) || model.FindPort(attribute.name)) continue;
-    std::vector<std::string> names;
-    for (const PortModel& port : model.ports) names.push_back(port.name);
+    const auto name_of = [](const PortModel& port) { return port.name; };
     problems_.Warning(
         site.document, attribute.name_offset,
         "the model of SubTree " + Quoted(model.id) + " has no port " + Quoted(attribute.name),
-        DidYouMean(attribute.name, names),
+        problems_.Advise(attribute.name, model.ports, name_of),
         {ProblemKind::kUnknownPort, std::string(attribute.name)});
   }
 }
