@@ -5,6 +5,8 @@
 namespace coppice {
 namespace {
 
+constexpr std::size_t kMostPorts = 1000;  // no element can give more of them
+
 std::optional<PortDirection> DirectionFromTag(std::string_view tag) {
   if (tag == "input_port") return PortDirection::kInput;
   if (tag == "output_port") return PortDirection::kOutput;
@@ -71,6 +73,11 @@ class Reader {
     }
     if (port.name.empty()) {
       Warn(element, "port without name in the model of \"" + model.id + "\" is ignored", "");
+    } else if (model.ports.size() >= kMostPorts) {
+      Warn(element,
+           "port \"" + port.name + "\" is beyond the first " + std::to_string(kMostPorts) +
+               " of the model of \"" + model.id + "\", and is ignored",
+           "");
     } else if (model.FindPort(port.name)) {
       Warn(element,
            "second port \"" + port.name + "\" in the model of \"" + model.id + "\" is ignored", "");

@@ -137,7 +137,8 @@ NodeIndex TreeCompiler::AddRecord(NodeType type, const Site& site, const Registr
 // A record, and the live view, tell the path of each node and of what its ports are bound to.
 void TreeCompiler::CountPath(const Site& site) {
   const std::string_view name = site.document.AttributeValue(site.element, "name");
-  const std::string_view own = name.empty() ? std::string_view(site.element.tag) : name;
+  const std::string_view id = site.document.AttributeValue(site.element, "ID");
+  const std::string_view own = !name.empty() ? name : !id.empty() ? id : site.element.tag;
   const std::size_t length = program_->layout.scopes[site.scope].size() + own.size();
   if (length > kUsualPath) long_path_bytes_ += length * (1 + site.element.attribute_count);
 }
