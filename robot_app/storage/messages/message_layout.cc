@@ -200,7 +200,7 @@ const char* Word(FieldKind kind) { return kKinds[static_cast<std::size_t>(kind)]
 std::size_t SizeOf(FieldKind kind) { return kKinds[static_cast<std::size_t>(kind)].size; }
 
 bool IsTypeName(std::string_view text) {
-  return !text.empty() &&
+  return !text.empty() && text.size() <= kLongestTypeName &&
          std::all_of(text.begin(), text.end(), [](char c) { return IsLetter(c) || c == '/'; });
 }
 

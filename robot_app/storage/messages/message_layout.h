@@ -73,7 +73,8 @@ struct MessageLayout {
 };
 
 inline constexpr std::size_t kLongestDefinition = std::size_t{256} << 10;  // bytes
-inline constexpr int kDeepestMessage = 32;  // messages within messages
+inline constexpr std::size_t kLongestTypeName = 255;  // databases take no longer keys than some kB
+inline constexpr int kDeepestMessage = 32;            // messages within messages
 
 /// Letters, digits, "_" and "/", as in "geometry_msgs/Pose": it needs no quotes anywhere.
 bool IsTypeName(std::string_view text);

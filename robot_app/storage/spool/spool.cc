@@ -19,12 +19,21 @@ constexpr int kDamaged = 11, kNoDatabase = 26;  // SQLITE_CORRUPT, SQLITE_NOTADB
 constexpr int kLongestDocument = 16 << 20;      // bytes; none is longer than 4 MB
 constexpr int kPatience = 1000;                 // ms, with another program
 constexpr int kGivenUpAtOnce = 50;              // documents, when there is no room
-constexpr int kFreePages = 4096;         // that are kept in the file when it has become empty
-constexpr std::size_t kMostTypes = 200;  // in memory
+constexpr int kFreePages = 4096;  // that are kept in the file when it has become empty
+constexpr int kMostTypes = 200;   // in memory, and in a full spool of which it holds nothing
 constexpr const char* kNoRoom = "the spool was full";
+constexpr const char* kRefusedNoRoom = "the server had refused it, and the spool was full";
 constexpr const char* kDeleted = "the spool was deleted";
 constexpr const char* kWasDamaged = "the spool was damaged";
 constexpr const char* kAllTopics = "all topics";
+
+constexpr const char* kOldestRefused =
+    "DELETE FROM refused WHERE number IN (SELECT number FROM refused ORDER BY number LIMIT ?) "
+    "RETURNING topic";
+constexpr const char* kLeastImportant =
+    "DELETE FROM documents WHERE number IN (SELECT number FROM documents "
+    "WHERE priority = (SELECT min(priority) FROM documents) ORDER BY number LIMIT ?) "
+    "RETURNING topic";
 
 Document ReadDocument(SQLite::Statement& row, std::shared_ptr<const MessageType> type) {
   return {row.getColumn(0).getInt64(), row.getColumn(1).getInt(),    row.getColumn(2).getInt64(),
@@ -170,7 +179,7 @@ std::int64_t Spool::NumberOf(const MessageType& type) {
 }
 
 std::shared_ptr<const MessageType> Spool::TypeOf(std::int64_t number) const {
-  if (types_.size() >= kMostTypes) types_.clear();  // they are in the file
+  if (static_cast<int>(types_.size()) >= kMostTypes) types_.clear();  // they are in the file
   std::shared_ptr<const MessageType>& type = types_[number];
   if (type) return type;
   SQLite::Statement find(*database_, "SELECT name, md5, definition FROM types WHERE id = ?");
@@ -224,22 +233,36 @@ std::uint64_t Spool::UsedBytes() const {
          number("PRAGMA page_size");
 }
 
+// First what the server will never take, or all that comes later would have to go for it.
 std::int64_t Spool::MakeRoom(std::int64_t now) {
+  if (UsedBytes() > limits_.largest) ForgetTypes();
   std::int64_t gone = 0;
   while (UsedBytes() > limits_.largest) {
-    SQLite::Statement least(*database_,
-                            "DELETE FROM documents WHERE number IN (SELECT number FROM documents "
-                            "WHERE priority = (SELECT min(priority) FROM documents) "
-                            "ORDER BY number LIMIT ?) RETURNING topic");
-    least.bind(1, kGivenUpAtOnce);
-    std::int64_t given_up = 0;
-    for (; least.executeStep(); ++given_up) {
-      Count({least.getColumn(0).getString(), kNoRoom, 1, now, now});
-    }
+    if (GiveUp(kOldestRefused, kRefusedNoRoom, now) > 0) continue;
+    const std::int64_t given_up = GiveUp(kLeastImportant, kNoRoom, now);
     if (given_up == 0) break;
     gone += given_up;
   }
   return gone;
+}
+
+// More of them than a robot has; looking for those of which there is no document takes long.
+void Spool::ForgetTypes() {
+  if (database_->execAndGet("SELECT count(*) FROM types").getInt64() <= kMostTypes) return;
+  types_.clear();
+  database_->exec(
+      "DELETE FROM types WHERE id NOT IN (SELECT type FROM documents UNION SELECT type FROM "
+      "refused)");
+}
+
+std::int64_t Spool::GiveUp(const char* query, const char* reason, std::int64_t now) {
+  SQLite::Statement least(*database_, query);
+  least.bind(1, kGivenUpAtOnce);
+  std::int64_t given_up = 0;
+  for (; least.executeStep(); ++given_up) {
+    Count({least.getColumn(0).getString(), reason, 1, now, now});
+  }
+  return given_up;
 }
 
 void Spool::Count(const Loss& loss) {

@@ -74,7 +74,7 @@ class Spool {
   Batch Next(const BatchLimits& limits) const;
   void Remove(const Batch& batch);
   /// Puts the documents aside, because the server will never take them: Next does not give them any
-  /// more. `reason` is kept with them.
+  /// more. `reason` is kept with them. They are the first to go when there is no room.
   void SetAside(const Batch& batch, const std::string& reason);
 
   Backlog Look() const;
@@ -92,6 +92,8 @@ class Spool {
   void Prepare();
   std::uint64_t UsedBytes() const;
   std::int64_t MakeRoom(std::int64_t now);  // how many were given up
+  void ForgetTypes();
+  std::int64_t GiveUp(const char* query, const char* reason, std::int64_t now);
   void Count(const Loss& loss);
   std::int64_t NumberOf(const MessageType& type);
   std::shared_ptr<const MessageType> TypeOf(std::int64_t number) const;

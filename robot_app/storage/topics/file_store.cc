@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongest = std::size_t{1} << 30;  // bytes, as a message of ROS
+constexpr std::size_t kMostFiles = 100'000;             // small ones take places on the disk, too
 constexpr const char* kEnding = ".bin";
 
 // "2026-11-25/081500.123456-7.bin"
@@ -54,7 +55,7 @@ std::string FileStore::Keep(std::string_view bytes, std::int64_t now) {
 }
 
 void FileStore::MakeRoom() {
-  while (bytes_ > largest_ && !kept_.empty()) {
+  while ((bytes_ > largest_ || kept_.size() > kMostFiles) && !kept_.empty()) {
     std::error_code error;
     const fs::path file = fs::path(folder_) / kept_.front().name;
     fs::remove(file, error);

@@ -9,6 +9,8 @@
 namespace coppice::robot::storage {
 namespace {
 
+constexpr int kMostFiles = 16;  // of one message; who sends it says how many arrays it has
+
 bool IsMd5(const std::string& text) {
   return text.size() <= 32 && std::all_of(text.begin(), text.end(), [](char c) {
            return std::isalnum(static_cast<unsigned char>(c)) != 0;
@@ -65,7 +67,11 @@ JsonRules TopicReader::RulesAt(std::int64_t now) {
   JsonRules rules;
   rules.longest_array = config_.longest_array;
   if (config_.keeps_files) {
-    rules.keep = [this, now](std::string_view bytes) { return files_.Keep(bytes, now); };
+    rules.keep = [this, now, left = kMostFiles](std::string_view bytes) mutable {
+      if (bytes.empty() || left == 0) return std::string();
+      --left;
+      return files_.Keep(bytes, now);
+    };
   }
   return rules;
 }

@@ -124,6 +124,34 @@ TEST_F(SpoolTest, GivesTheLeastImportantAndOldestUpWhenItIsFullAndCountsThem) {
   EXPECT_GT(batch.documents.back().number, backlog.lost);  // the oldest have gone
 }
 
+// Somebody who makes messages that no server takes would fill it for ever.
+TEST_F(SpoolTest, IsNotFilledByWhatTheServerRefuses) {
+  const auto spool = Open({300'000});
+  const std::string large(1000, 'x');
+  for (int i = 0; i < 10; ++i) {
+    spool->Add(std::vector<Document>(50, Make(large)));
+    spool->SetAside(spool->Next({}), "no");
+  }
+  spool->Add({Make("1"), Make("2")});
+  EXPECT_THAT(Jsons(*spool), ElementsAre("1", "2"));
+  const Backlog backlog = spool->Look();
+  EXPECT_EQ(backlog.refused + backlog.lost, 500);
+  EXPECT_LE(backlog.bytes, 300'000u);
+}
+
+TEST_F(SpoolTest, IsNotFilledByTypesOfWhichItHoldsNothing) {
+  const auto spool = Open({300'000});
+  for (int i = 0; i < 500; ++i) {
+    Document document = Make("1");
+    document.type = std::make_shared<const MessageType>(
+        MessageType{"a/B" + std::to_string(i), "md5", std::string(2'000, '#')});
+    spool->Add({document});
+    spool->Remove(spool->Next({}));
+  }
+  spool->Add({Make("1")});
+  EXPECT_THAT(Jsons(*spool), ElementsAre("1"));
+}
+
 TEST_F(SpoolTest, AddsLossesUp) {
   const auto spool = Open();
   spool->Add({}, {{"/a", "too long", 2, 10, 20}});

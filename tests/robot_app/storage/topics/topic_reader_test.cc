@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "tests/robot_app/eventually.h"
 #include "tests/support/temporary_folder.h"
 
@@ -47,6 +50,28 @@ TEST_F(TopicReaderTest, TakesNoMoreThanItsRate) {
   for (int i = 0; i < 100; ++i) times.push_back(kStart + i * kSecond / 10);
   Read({"/a", 5, 2}, times);  // 10 a second, of which 2 are taken
   EXPECT_EQ(spool_->Look().documents, 20);
+}
+
+TEST_F(TopicReaderTest, MakesSomeFilesOfAMessageHoweverManyArraysItHas) {
+  std::string fields = "std_msgs/E[9999] none\n", arrays;
+  for (int i = 0; i < 100; ++i) {
+    fields += "uint8[] x" + std::to_string(i) + "\n";
+    arrays += std::string("\x03\0\0\0abc", 7);
+  }
+  Read({"/a", 5, 0, 2, true}, {kStart}, fields + "===\nMSG: std_msgs/E\n", arrays);
+  EXPECT_EQ(spool_->Look().documents, 1);
+  const std::filesystem::recursive_directory_iterator entries(folder_.Path("files"));
+  EXPECT_EQ(std::count_if(begin(entries), end(entries),
+                          [](const auto& entry) { return entry.is_regular_file(); }),
+            16);
+}
+
+TEST_F(TopicReaderTest, TakesNoTypeWhoseNameNoDatabaseTakes) {
+  Intake intake(*spool_, {}, [] {});
+  TopicReader reader({"/a"}, intake, files_);
+  const std::string type = "a/" + std::string(3000, 'B'), md5 = "m", definition = "int8 x";
+  reader.OnMessage({type, md5, definition, "\x01", kStart, 7});
+  EXPECT_EQ(intake.Look().lost, 1u);
 }
 
 TEST_F(TopicReaderTest, GoesOnWhenTheClockIsSetBack) {
