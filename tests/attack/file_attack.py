@@ -267,6 +267,33 @@ class Trees(FileAttack):
                 "".join(body % (i, i) for i in range(2200)) +
                 "</Sequence></BehaviorTree></root>"))
 
+    def test_a_long_path_is_not_given_to_thousands_of_nodes(self):
+        name = "n" * 1_000_000
+        self.write("t.xml", '<root BTCPP_format="4" main_tree_to_execute="M"><BehaviorTree ID="M">'
+                   '<SubTree ID="T" name="%s"/></BehaviorTree><BehaviorTree ID="T"><Sequence>%s'
+                   "</Sequence></BehaviorTree></root>" % (name, "<AlwaysSuccess/>" * 5000))
+        for command in (["check", "t.xml"], ["run", "t.xml", "--quiet", "--record", "r.coppice"],
+                        ["test", "--random", "2", "t.xml"]):
+            self.assertIn("long paths of the nodes", self.run_program(*command, codes=(1, 2)))
+
+    def test_very_many_unknown_names_are_said_soon(self):
+        trees = "".join('<BehaviorTree ID="T%d"><SubTree ID="U%d"/></BehaviorTree>' % (i, i)
+                        for i in range(100_000))
+        ports = "".join('<input_port name="port%d"/>' % i for i in range(1900))
+        uses = "<Act %s/>" % " ".join('pxrt%d="1"' % i for i in range(900))
+        wide = "".join('<input_port name="port%05d"/>' % i for i in range(110_000))
+        names = ["%d" % i + "n" * 900 for i in range(1900)]
+        begin = time.monotonic()
+        for text in (trees,
+                     '<BehaviorTree ID="T0"><Sequence>' + uses * 300 + "</Sequence></BehaviorTree>"
+                     '<TreeNodesModel><Action ID="Act">' + ports + "</Action></TreeNodesModel>",
+                     '<BehaviorTree ID="T0"><Sequence>' + uses * 200 + "</Sequence></BehaviorTree>"
+                     '<TreeNodesModel><Action ID="Act">' + wide + "</Action></TreeNodesModel>",
+                     "".join('<BehaviorTree ID="T%s"><SubTree ID="%s"/></BehaviorTree>' % (name, name)
+                             for name in names)):
+            self.check('<root BTCPP_format="4">' + text + "</root>")
+        self.assertLess(time.monotonic() - begin, PATIENCE)
+
     def test_a_text_that_joins_itself_fails_at_its_node(self):
         self.write("t.xml", TREE % '<Script code="s := 0.5 .. 1"/><Repeat num_cycles="100">'
                                    '<Script code="s := s .. s"/></Repeat>')
@@ -392,6 +419,10 @@ class Site(FileAttack):
                    + "c," * 100_000 + "c]}\n" + " - *p\n" * 100_000)
         self.refuse("too large with its aliases")
 
+    def test_very_many_values_of_places_are_refused(self):
+        self.write("site/places.yaml", "places: [" + "[]," * 300_000 + "[]]\n")
+        self.refuse("more than 131072 values")
+
     def test_a_place_within_itself_is_refused(self):
         self.write("site/places.yaml", "places: &a [*a]\n")
         self.refuse("too large with its aliases")
@@ -409,6 +440,21 @@ class Editor(FileAttack):
 
     def edit(self, name, codes=(1, 2)):
         return self.run_program("edit", name, "--headless", codes=codes)
+
+    def test_what_each_instance_of_a_tree_takes_along_does_not_multiply(self):
+        calls = "<Sequence>%s</Sequence>" % ('<SubTree ID="T"/>' * 3000)
+        for name, comment, value in (("n" * 1_000_000, "", "1"), ("n", "c" * 1_000_000, "1"),
+                                     ("n", "", "v" * 1_000_000)):
+            self.write("m.xml", '<root BTCPP_format="4" main_tree_to_execute="M"><BehaviorTree '
+                       'ID="M"><SubTree ID="S" name="%s"/></BehaviorTree><BehaviorTree ID="S">%s'
+                       '</BehaviorTree><BehaviorTree ID="T"><!--%s--><AlwaysSuccess name="%s"/>'
+                       "</BehaviorTree></root>" % (name, calls, comment, value))
+            self.edit("m.xml", codes=(0, 1, 2))
+            self.run_program("export", "m.xml", "-o", "m.svg", codes=(0, 1, 2))
+
+    def test_very_many_comments_are_read_soon(self):
+        self.write("c.xml", TREE % ("<!--a-->" * 500_000 + "<AlwaysSuccess/>"))
+        self.edit("c.xml", codes=(0, 1, 2))
 
     def test_devices_are_neither_trees_nor_records(self):
         for number, device in enumerate(("/dev/zero", "/dev/full")):
