@@ -1,5 +1,5 @@
-// Enters key frames into voxels on a thread of its own: each takes some 0.1 s, for which neither
-// the robot's pose nor the next key frame should wait.
+// Enters key frames into voxels on a thread of its own: each takes 20 to 30 ms indoors, and more
+// where the lidar sees far. Neither the robot's pose nor the next key frame should wait for that.
 //
 //   VoxelWorker voxels(0.1, {0, 0, 1.2});
 //   voxels.Add(key_frame, pose);
