@@ -77,7 +77,7 @@ std::vector<Meaning> Dialogue::MeaningsOf(const std::vector<Alternative>& altern
                                           const std::optional<ToldMeaning>& told) const {
   if (told && !alternatives.empty()) {
     const auto meant = CheckedMeaning(*told, files_.intents, understander());
-    if (meant) return {{*meant, alternatives.front().text, 1}};
+    if (meant) return {{*meant, alternatives.front().text, 1, 1}};
   }
   return LikelyMeanings(understander(), alternatives);
 }
@@ -142,7 +142,7 @@ std::optional<HeardAnswer> Dialogue::AnswerQuestion(const std::vector<Alternativ
 HeardAnswer Dialogue::AnswerNew(const std::vector<Meaning>& meanings, WallTime now) {
   if (meanings.empty()) return {Remembered(NotHeard()), "", 0};
   const Meaning& best = meanings.front();
-  if (best.share < least_sure_) {
+  if (best.sure < least_sure_) {
     const std::vector<Request> asked = WorthAsking(meanings, least_sure_);
     if (asked.empty()) return {Remembered(NotHeard()), "", best.share};
     return {Remembered(AskWhichRequest(asked, now)), best.text, best.share};

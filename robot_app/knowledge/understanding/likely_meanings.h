@@ -26,6 +26,9 @@ struct Meaning {
   Understanding understanding;
   std::string text;  ///< the likeliest of those that mean this
   double share = 0;  ///< its chance, 0..1; those of all meanings add up to 1
+  /// The chance on which it may be acted: of several texts one that leaves words unexplained ("take
+  /// me to the sun library") has most likely been heard wrong. At most its share.
+  double sure = 0;
 };
 
 /// A share below which what is meant is asked back: most of what is wrong is below it, and hardly

@@ -65,6 +65,25 @@ TEST_F(LikelyMeaningsTest, WhatWasHardlyUnderstoodIsAskedBack) {
               SizeIs(1));
 }
 
+// "What are the gun options for lunch" is no wish for lunch to be acted on: a word was heard wrong.
+TEST_F(LikelyMeaningsTest, WhatLeavesWordsUnexplainedIsAskedBack) {
+  const std::vector<Alternative> heard = {{"please take me to the copy shop banana", 9},
+                                          {"goodbye", 0.1}};
+  const auto meanings = Of(heard);
+  EXPECT_EQ(meanings.at(0).understanding.request.intent, Intent::kGuide);
+  EXPECT_GT(meanings[0].share, 0.98);
+  EXPECT_NEAR(meanings[0].sure, 0.7, 0.02);
+  EXPECT_THAT(Asked(heard), SizeIs(1));
+  EXPECT_THAT(Asked({heard[0]}), IsEmpty()) << "that is how it was said";
+}
+
+TEST_F(LikelyMeaningsTest, WhatLeavesWordsUnexplainedMakesNothingElseLikelier) {
+  const std::vector<Alternative> heard = {
+      {"please take me to the copy shop banana", 4}, {"the moon was blue", 4.5}, {"goodbye", 1.5}};
+  EXPECT_DOUBLE_EQ(Of(heard).at(1).share, 0.4);
+  EXPECT_THAT(Asked(heard), SizeIs(1)) << "as before";
+}
+
 TEST_F(LikelyMeaningsTest, TheTwoLikeliestAreAskedBack) {
   const auto asked = Asked({{"where is the copy shop", 4},
                             {"when does the copy shop close", 3},
