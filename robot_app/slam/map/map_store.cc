@@ -139,6 +139,7 @@ Outcome MapStore::Keep(const std::vector<SessionName>& names, const SessionGraph
   } catch (const SQLite::Exception& error) {
     return ProblemOf(error);
   }
+  is_version_kept_ = true;
   key_frames_ = key_frames.size();
   links_ = graph.graph().links.size();
   poses_ = graph.poses();
@@ -151,6 +152,7 @@ void MapStore::KeepAll(const std::vector<SessionName>& names, const SessionGraph
   of_names.PutSize(names.size());
   for (const SessionName& name : names) PutName(name, of_names);
   Put(kNames, 0, PackedText(of_names));
+  if (!is_version_kept_) Put(kVersion, 0, std::to_string(version_));
   const std::vector<Pose3>& poses = graph.poses();
   for (std::size_t begin = 0; begin < poses.size(); begin += kPosesOfPart) {
     const std::size_t end = std::min(begin + kPosesOfPart, poses.size());
@@ -257,16 +259,19 @@ Outcome MapStore::Clear() {
   key_frames_ = links_ = 0;
   poses_.clear();
   version_ = 0;
+  is_version_kept_ = true;
   return {};
 }
 
 Outcome MapStore::SetVersion(int version) {
+  version_ = version;
+  is_version_kept_ = false;
   try {
     Put(kVersion, 0, std::to_string(version));
   } catch (const SQLite::Exception& error) {
     return ProblemOf(error);
   }
-  version_ = version;
+  is_version_kept_ = true;
   return {};
 }
 

@@ -57,7 +57,7 @@ class MapStore {
   std::size_t key_frames() const { return key_frames_; }
 
   /// A number of the caller's that is kept with the map; 0 in a new one: the version that was saved
-  /// last.
+  /// last. What cannot be written now, on a full disk for example, is written by the next Keep().
   int version() const { return version_; }
   Outcome SetVersion(int version);
 
@@ -78,6 +78,7 @@ class MapStore {
   std::unique_ptr<SQLite::Database> database_;
   const std::string file_;
   int version_ = 0;
+  bool is_version_kept_ = true;
   // What is in it.
   std::size_t key_frames_ = 0;
   std::size_t links_ = 0;

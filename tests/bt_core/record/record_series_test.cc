@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bt_core/frames/frame.h"
-#include "tests/bt_core/record/full_disk.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice {

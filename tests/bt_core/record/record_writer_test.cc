@@ -8,8 +8,8 @@
 
 #include "bt_core/record/recorder.h"
 #include "tests/bt_core/frames/scripted_tree.h"
-#include "tests/bt_core/record/full_disk.h"
 #include "tests/bt_core/record/whole_record.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice {

@@ -13,8 +13,8 @@
 
 #include "bt_core/record/record_file.h"
 #include "tests/bt_core/frames/scripted_tree.h"
-#include "tests/bt_core/record/full_disk.h"
 #include "tests/bt_core/record/whole_record.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice {

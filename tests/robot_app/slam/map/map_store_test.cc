@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "tests/robot_app/slam/map/small_map.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::slam {
@@ -96,6 +97,22 @@ TEST_F(MapStoreTest, ItRemembersTheVersionThatWasSaved) {
   ASSERT_TRUE(store->Clear());
   ASSERT_TRUE(store->Load());
   EXPECT_EQ(store->version(), 0);
+}
+
+TEST_F(MapStoreTest, AVersionThatFoundNoRoomIsKeptWithWhatComesNext) {
+  {
+    const auto store = Open();
+    {
+      const FullDisk full(0);
+      EXPECT_FALSE(store->SetVersion(7));
+      EXPECT_FALSE(store->Keep(map_.names, GraphOf(map_), map_.key_frames));
+    }
+    ASSERT_TRUE(store->Keep(map_.names, GraphOf(map_), map_.key_frames));
+  }
+  const auto store = Open();
+  ASSERT_TRUE(store->Load());
+  EXPECT_EQ(store->version(), 7);
+  EXPECT_EQ(store->key_frames(), 4U);
 }
 
 TEST_F(MapStoreTest, WhatIsDamagedIsPutAsideOrSaid) {

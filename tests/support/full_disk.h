@@ -1,6 +1,6 @@
 // A disk without room for more.
-#ifndef COPPICE_TESTS_BT_CORE_RECORD_FULL_DISK_H_
-#define COPPICE_TESTS_BT_CORE_RECORD_FULL_DISK_H_
+#ifndef COPPICE_TESTS_SUPPORT_FULL_DISK_H_
+#define COPPICE_TESTS_SUPPORT_FULL_DISK_H_
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -26,4 +26,4 @@ class FullDisk {
 
 }  // namespace coppice
 
-#endif  // COPPICE_TESTS_BT_CORE_RECORD_FULL_DISK_H_
+#endif  // COPPICE_TESTS_SUPPORT_FULL_DISK_H_
