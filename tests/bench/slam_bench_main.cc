@@ -33,6 +33,7 @@ const Command kBench{
     {"", 0, 0},
     "All of it takes some ten minutes for each seed on one core.",
     {CommandOption::Whole("--seeds", "N", 0, 1000, "maps of four sessions each; else 3"),
+     CommandOption::Whole("--first", "SEED", 1, 1000, "of these seeds; else 1"),
      CommandOption::Flag("--maps-only", "measure neither places nor pose graphs"),
      CommandOption::Flag("--graphs-only", "measure pose graphs alone, in half a minute"),
      CommandOption::Whole("--updates", "N", 100, 1000000,
@@ -164,8 +165,9 @@ void MeasureUpdatesOf(const Known& known, std::size_t key_frames) {
 int MeasureMaps(const Known& known, const Options& options) {
   std::vector<SlamFigures> all;
   const auto seeds = static_cast<std::uint64_t>(options.Whole("--seeds", 3));
+  const auto first = static_cast<std::uint64_t>(options.Whole("--first", 1));
   slam::SlamMap last;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
     const SlamStudy study{
         known.floor,           known.sensors,       known.vocabulary, known.classifier,
         RoundOfTheInstitute(), {1, 0.3, 0.1, 0.04}, kSeed + seed,     {}};

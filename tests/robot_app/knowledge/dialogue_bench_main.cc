@@ -1,20 +1,24 @@
 // How well the robot understands what people ask, and how fast. `./dev bench dialogue` builds and
-// runs it.
-//
-//   coppice_dialogue_bench [--misses]     also lists what was not understood of the utterances that
-//                                         phrases may be chosen by
-//
-// Exit status 1 if a figure is below its bar (docs/service.md).
+// runs it. Exit status 1 if a figure is below its bar (docs/service.md).
 #include <chrono>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "bt_core/base/command_line.h"
 #include "tests/robot_app/knowledge/sample_database.h"
 #include "tests/robot_app/knowledge/understanding_figures.h"
 
 namespace coppice::robot::knowledge {
 namespace {
+
+const Command kBench{
+    "coppice_dialogue_bench",
+    "how well the robot understands what people ask, and how fast",
+    {"", 0, 0},
+    "",
+    {CommandOption::Flag("--misses",
+                         "also list what was not understood of what phrases may be chosen by")}};
 
 constexpr double kLeastRight = 0.95, kLeastRefused = 0.9, kMostWrong = 0.03;
 
@@ -58,16 +62,18 @@ bool Measure(SampleDatabase& sample, Language language, bool lists_misses) {
   return Print("held out", held_out) && is_good;
 }
 
-int Main(bool lists_misses) {
+int Main(const std::vector<std::string>& arguments) {
+  const Options options = ParseOptions(kBench, arguments);
+  if (options.exit) return *options.exit;
   SampleDatabase sample;
   bool is_good = true;
-  for (const Language language : kLanguages) is_good &= Measure(sample, language, lists_misses);
+  for (const Language language : kLanguages) {
+    is_good &= Measure(sample, language, options.Has("--misses"));
+  }
   return is_good ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace coppice::robot::knowledge
 
-int main(int argc, char** argv) {
-  return coppice::robot::knowledge::Main(argc > 1 && std::string(argv[1]) == "--misses");
-}
+int main(int argc, char** argv) { return coppice::robot::knowledge::Main({argv + 1, argv + argc}); }

@@ -2,19 +2,14 @@
 // spoken by voices of espeak-ng in noise, recognized by pocketsphinx, understood. Where the robot
 // asks back, the same voice replies in the same noise what the visitor would. The sound comes as
 // from a microphone, 20 ms at a time, with noise before and behind. `./dev bench speech` builds and
-// runs it.
-//
-//   coppice_speech_bench [--every N] [--misses]
-//
-// --every: only each Nth utterance. --misses: also lists what was not heard right of the utterances
-// that limits may be chosen by; no others are spoken then. Exit status 1 if a figure is below its
-// bar (docs/service.md).
+// runs it. Exit status 1 if a figure is below its bar (docs/service.md).
 #include <chrono>
 #include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "bt_core/base/command_line.h"
 #include "robot_app/knowledge/answers/dialogue.h"
 #include "robot_app/knowledge/store/queries.h"
 #include "robot_app/speech/ear/ear.h"
@@ -36,6 +31,15 @@ using knowledge::Language;
 using knowledge::SpokenExample;
 using knowledge::Understanding;
 using knowledge::Verdict;
+
+const Command kBench{
+    "coppice_speech_bench",
+    "how well the robot hears what people ask, and how fast",
+    {"", 0, 0},
+    "All of it takes some seven minutes.",
+    {CommandOption::Whole("--every", "N", 1, 1000, "only each Nth utterance"),
+     CommandOption::Flag("--misses",
+                         "also list what was not heard right, and speak none that are held out")}};
 
 // Of 37 voices these are heard best, by 14 sentences that are not in the set: their consonants are
 // as loud beside the vowels as people's. The plain "en-us" is heard badly (docs/service.md).
@@ -258,13 +262,9 @@ class Bench {
 };
 
 int Main(const std::vector<std::string>& arguments) {
-  int every = 1;
-  bool lists_misses = false;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i] == "--misses") lists_misses = true;
-    if (arguments[i] == "--every" && i + 1 < arguments.size()) every = std::stoi(arguments[i + 1]);
-  }
-  Bench bench(every, lists_misses);
+  const Options options = ParseOptions(kBench, arguments);
+  if (options.exit) return *options.exit;
+  Bench bench(static_cast<int>(options.Whole("--every", 1)), options.Has("--misses"));
   bool is_good = bench.Measure(20);
   is_good &= bench.Measure(10);
   return is_good ? 0 : 1;
