@@ -29,7 +29,7 @@
 #include "robot_app/slam/map/navigation_frame.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"
-#include "robot_app/slam/map/voxel_worker.h"
+#include "robot_app/slam/map/voxel_drawing.h"
 #include "robot_app/slam/straightened_cloud.h"
 
 namespace coppice::robot::slam {
@@ -58,8 +58,6 @@ constexpr double kSamePlace = 0.3;  // between a cloud and a picture that goes w
 constexpr double kSameTurn = 0.5;   // rad
 constexpr double kSweep = 0.1;      // that a turn of the lidar takes [s]
 constexpr double kDrawPeriod = 1;   // wall time [s]
-constexpr int kDrawnAtOnce = 5;     // key frames
-constexpr double kDrawnWell = 0.1;  // a pose may be off in the voxels [m]
 constexpr char kShipped[] = "shipped";
 constexpr char kNone[] = "none";
 constexpr char kFrame[] = "slam_map";
@@ -110,7 +108,7 @@ class SlamNode {
     first_ = first_of_session_ = saved_ = key_frames();
     FindFrame();
     if (settings_.maps()) BeginSession(settings_.session);
-    mapper_.environment().Force(SurroundingsOf(settings_.surroundings));
+    ForceWhatIsAsked();
     pose_ = node_.advertise<geometry_msgs::PoseStamped>("/slam/pose", 5);
     grid_ = node_.advertise<nav_msgs::OccupancyGrid>("/slam/grid", 1, true);
     // Who comes later sees it at once, though the robot stands.
@@ -308,47 +306,27 @@ class SlamNode {
     sight.brightness = BrightnessOf(moment->colour);
   }
 
-  // Enters some key frames into the voxels. Those that have moved cannot be taken out: then all are
-  // entered anew, some at a time, so that not too much is read from the disk at once.
+  Pose3 FrameOnMap() const { return frame_on_map_.value_or(Pose3::Identity()); }
+
   void DrawSome() {
-    if (key_frames() == first_of_session_ || !voxels_.IsIdle()) return;
-    std::vector<Pose3> poses = mapper_.graph().poses();
-    if (frame_on_map_) {
-      for (Pose3& pose : poses) pose = *frame_on_map_ * pose;
-    }
-    const std::uint32_t map = mapper_.graph().map_of(mapper_.graph().sessions().back());
-    const auto has_moved = [](const Pose3& drawn, const Pose3& now) {
-      return (drawn.translation() - now.translation()).norm() > kDrawnWell;
-    };
-    if (map != drawn_map_ ||
-        !std::equal(drawn_.begin(), drawn_.end(), poses.begin(), std::not_fn(has_moved))) {
-      drawn_.clear();
-      drawn_map_ = map;
-      voxels_.Clear();
-    }
-    for (int i = 0; i < kDrawnAtOnce && drawn_.size() < poses.size(); ++i) {
-      const auto next = static_cast<std::uint32_t>(drawn_.size());
-      drawn_.push_back(poses[next]);
-      if (mapper_.graph().map_of(mapper_.graph().sessions()[next]) != map) continue;
-      const auto key_frame = mapper_.key_frame(next);
-      if (key_frame) voxels_.Add(*key_frame, poses[next]);  // else the diagnostics say it
-    }
+    if (key_frames() == first_of_session_) return;
+    // What cannot be read the diagnostics say.
+    voxels_.DrawSome(mapper_.graph(), FrameOnMap(),
+                     [this](std::uint32_t number) { return mapper_.key_frame(number); });
   }
 
   void PublishGrid() {
-    if (key_frames() == first_of_session_ || drawn_.size() == shown_) return;
-    if (drawn_.size() < key_frames()) return;  // not yet whole
-    shown_ = drawn_.size();
-    voxels_.Project(
-        [grids = grid_, frame = FrameName(), now = ros::Time::now()](const OccupancyGrid& grid) {
-          if (grid.frame.size() > 0) grids.publish(mapping::ToMessage(grid, frame, now));
-        });
-    if (markers_.getNumSubscribers() > 0) markers_.publish(Markers());
+    if (key_frames() == first_of_session_) return;
+    const auto publish = [grids = grid_, frame = FrameName(),
+                          now = ros::Time::now()](const OccupancyGrid& grid) {
+      if (grid.frame.size() > 0) grids.publish(mapping::ToMessage(grid, frame, now));
+    };
+    const bool is_new = voxels_.Show(key_frames(), publish);
+    if (is_new && markers_.getNumSubscribers() > 0) markers_.publish(Markers());
   }
 
   visualization_msgs::MarkerArray Markers() const {
-    return MarkersOf(mapper_.graph(), FrameName(), frame_on_map_.value_or(Pose3::Identity()),
-                     ros::Time::now());
+    return MarkersOf(mapper_.graph(), FrameName(), FrameOnMap(), ros::Time::now());
   }
 
   std::string Complaint() const {
@@ -364,8 +342,22 @@ class SlamNode {
            (environment.is_forced() ? " (forced)" : "") + (environment.is_dark() ? " (dark)" : "");
   }
 
+  // A person may change the parameter while it runs.
+  void ForceWhatIsAsked() {
+    std::string asked;
+    if (!ros::param::getCached("~surroundings", asked) || asked == asked_) return;
+    asked_ = asked;
+    const auto surroundings = AskedSurroundings(asked);
+    if (surroundings) {
+      mapper_.environment().Force(*surroundings);
+    } else {
+      ROS_ERROR("%s", surroundings.problem().c_str());
+    }
+  }
+
   void PublishState() {
     using diagnostic_msgs::DiagnosticStatus;
+    ForceWhatIsAsked();
     DiagnosticStatus status;
     status.name = "slam: map";
     const std::string complaint = Complaint();
@@ -425,9 +417,6 @@ class SlamNode {
   std::size_t first_ = 0;  // that this program adds
   std::size_t first_of_session_ = 0;
   std::size_t saved_ = 0;
-  std::size_t shown_ = 0;
-  std::uint32_t drawn_map_ = 0;
-  std::vector<Pose3> drawn_;  // into the voxels, of the first key frames
   localization::PoseHistory history_{4};
   LocalizationLink localization_{node_, history_, [this] { BeginAnew(", carried"); }};
   Pose2D newest_odometry_;                    // of the newest key frame
@@ -444,6 +433,7 @@ class SlamNode {
   std::vector<perception::LidarPoint> points_;
   ros::WallTime last_cloud_ = ros::WallTime::now();
   std::string problem_;  // of the last cloud
+  std::string asked_;    // of the surroundings
   std::size_t by_picture_ = 0, by_cloud_ = 0;
   double calculated_ = 0;  // s, for all key frames
   ros::Publisher pose_, grid_, markers_, diagnostics_;
@@ -451,7 +441,7 @@ class SlamNode {
   ros::ServiceServer save_;
   ros::Timer grid_timer_;
   ros::WallTimer draw_timer_, state_timer_;
-  VoxelWorker voxels_{settings_.mapper.resolution, settings_.mapper.lidar};  // before all of them
+  VoxelDrawing voxels_{settings_.mapper.resolution, settings_.mapper.lidar};  // before all of them
 };
 
 int Fail(const std::string& problem) {
@@ -464,10 +454,8 @@ std::string FileOr(const std::string& file, const char* shipped) {
 }
 
 int Run(Settings settings) {
-  if (settings.surroundings != "auto" && !SurroundingsOf(settings.surroundings)) {
-    return Fail("surroundings: expected auto, indoor, hall or outdoor, not \"" +
-                settings.surroundings + "\"");
-  }
+  const auto surroundings = AskedSurroundings(settings.surroundings);
+  if (!surroundings) return Fail(surroundings.problem());
   if (settings.mapping != "yes" && settings.mapping != "no") {
     return Fail("mapping: expected yes or no, not \"" + settings.mapping + "\"");
   }

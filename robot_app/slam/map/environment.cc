@@ -14,11 +14,12 @@ const char* NameOf(Surroundings surroundings) {
   return kNames[static_cast<std::size_t>(surroundings)];
 }
 
-std::optional<Surroundings> SurroundingsOf(const std::string& name) {
+Expected<std::optional<Surroundings>> AskedSurroundings(const std::string& text) {
+  if (text == "auto") return std::optional<Surroundings>();
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (name == kNames[i]) return static_cast<Surroundings>(i);
+    if (text == kNames[i]) return std::optional(static_cast<Surroundings>(i));
   }
-  return std::nullopt;
+  return Problem{"surroundings: expected auto, indoor, hall or outdoor, not \"" + text + "\""};
 }
 
 SlamConfiguration ConfigurationFor(Surroundings surroundings) {

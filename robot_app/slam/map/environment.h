@@ -16,15 +16,18 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/slam/clouds/cloud_descriptor.h"
 
 namespace coppice::robot::slam {
 
 enum class Surroundings { kIndoor, kHall, kOutdoor };
 
-/// "indoor", "hall", "outdoor"; nothing for another word.
+/// "indoor", "hall", "outdoor".
 const char* NameOf(Surroundings surroundings);
-std::optional<Surroundings> SurroundingsOf(const std::string& name);
+
+/// What a person asks for by these names; nothing for "auto". Another word is a problem.
+Expected<std::optional<Surroundings>> AskedSurroundings(const std::string& text);
 
 /// What a configuration changes.
 struct SlamConfiguration {

@@ -113,15 +113,18 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
   ASSERT_TRUE(Eventually([&] { return graph.get() != nullptr; }, kPatience));
   EXPECT_GE(graph.get()->markers[0].points.size(), 4U);
   const Latest<diagnostic_msgs::DiagnosticArray> state(node_, "/diagnostics");
-  EXPECT_TRUE(Eventually(
-      [&] {
-        if (!state.get()) return false;
-        const auto& all = state.get()->status;
-        return std::any_of(all.begin(), all.end(), [](const auto& status) {
-          return status.name == "slam: map" && status.message == "maps: indoor";
-        });
-      },
-      kPatience));
+  const auto says = [&](const std::string& message) {
+    if (!state.get()) return false;
+    const auto& all = state.get()->status;
+    return std::any_of(all.begin(), all.end(), [&message](const auto& status) {
+      return status.name == "slam: map" && status.message == message;
+    });
+  };
+  EXPECT_TRUE(Eventually([&] { return says("maps: indoor"); }, kPatience));
+  ros::param::set("/slam/surroundings", "hall");
+  EXPECT_TRUE(Eventually([&] { return says("maps: hall (forced)"); }, kPatience));
+  ros::param::set("/slam/surroundings", "auto");
+  EXPECT_TRUE(Eventually([&] { return says("maps: indoor"); }, kPatience));
   std_srvs::Trigger save;
   ASSERT_TRUE(ros::service::call("/slam/save", save));
   EXPECT_TRUE(save.response.success) << save.response.message;

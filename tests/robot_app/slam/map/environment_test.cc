@@ -74,11 +74,13 @@ TEST(Environment, WhatIsReadOfACloudIsTheDistanceOfItsWalls) {
   EXPECT_NEAR(reading.open, 0.25, 1e-6);
 }
 
-TEST(Environment, AConfigurationIsFoundByItsName) {
+TEST(Environment, WhatIsAskedForIsFoundByItsName) {
   for (const auto one : {Surroundings::kIndoor, Surroundings::kHall, Surroundings::kOutdoor}) {
-    EXPECT_EQ(SurroundingsOf(NameOf(one)), one);
+    EXPECT_EQ(*AskedSurroundings(NameOf(one)), one);
   }
-  EXPECT_FALSE(SurroundingsOf("cellar"));
+  EXPECT_EQ(*AskedSurroundings("auto"), std::nullopt);
+  EXPECT_EQ(AskedSurroundings("cellar").problem(),
+            "surroundings: expected auto, indoor, hall or outdoor, not \"cellar\"");
 }
 
 TEST(Environment, TheRangeOfTheMapIsShortIndoors) {
