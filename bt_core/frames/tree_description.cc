@@ -4,6 +4,7 @@
 #include <random>
 #include <unordered_map>
 
+#include "bt_core/base/hex.h"
 #include "bt_core/base/version.h"
 #include "bt_core/engine/compile/models.h"
 #include "bt_core/engine/program.h"
@@ -73,14 +74,7 @@ RunId MakeRunId() {
   return id;
 }
 
-std::string ToString(const RunId& id) {
-  std::string text;
-  for (const std::uint8_t byte : id) {
-    text += "0123456789abcdef"[byte >> 4];
-    text += "0123456789abcdef"[byte & 15];
-  }
-  return text;
-}
+std::string ToString(const RunId& id) { return ToHex(id); }
 
 bool TellsChangesOnly(const RunInfo& info) {
   return std::any_of(info.metadata.begin(), info.metadata.end(), [](const auto& entry) {

@@ -206,8 +206,9 @@ class NavigationNode {
   }
 
   void OnMotion(const coppice_msgs::MotionGoal& goal) {
-    const bool blind = goal.distance > 0 && Now() - scan_stamp_ > 1;
-    if (Now() - odometry_stamp_ > 1) return EndMotion(false, "there is no odometry");
+    // Where time was set back what is known is old, too.
+    const bool blind = goal.distance > 0 && std::abs(Now() - scan_stamp_) > 1;
+    if (std::abs(Now() - odometry_stamp_) > 1) return EndMotion(false, "there is no odometry");
     if (blind) return EndMotion(false, "there is no laser scan");
     motion_.Start(odometry_, goal.distance, goal.angle, goal.speed, commanded_);
     motion_update_ = Now();

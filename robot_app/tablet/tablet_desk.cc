@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bt_core/base/hex.h"
 #include "bt_core/base/json_library.h"
 #include "robot_app/knowledge/answers/real_way.h"
 
@@ -36,16 +37,6 @@ std::vector<std::string> PathOf(const nlohmann::json& call) {
   auto path = call.at("path").get<std::vector<std::string>>();
   if (path.size() > kLongestPath) throw std::length_error("too long");
   return path;
-}
-
-std::string HexOf(const std::vector<std::uint8_t>& bytes) {
-  static const char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
 }
 
 }  // namespace
@@ -192,7 +183,7 @@ nlohmann::json TabletDesk::State(const Json& call) {
              {"pose", nullptr},
              {"language", home_language_}};
   if (view_.pose) state["pose"] = {view_.pose->x, view_.pose->y, view_.pose->yaw};
-  if (call.value("face", -1) != view_.face_number) state["face"] = HexOf(view_.face);
+  if (call.value("face", -1) != view_.face_number) state["face"] = ToHex(view_.face);
   state["said_number"] = view_.said_number;
   if (call.value("said", -1) != view_.said_number) state["said"] = ToJson(view_.said);
   return state;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "bt_core/base/hex.h"
 #include "bt_core/base/json_library.h"
 
 namespace coppice {
@@ -84,21 +85,9 @@ std::uint32_t SideOf(const Json& json, const char* member) {
   return side <= PictureSet::kMostPixels ? static_cast<std::uint32_t>(side) : 0;
 }
 
-// Empty if they are none.
-std::vector<std::uint8_t> ReadHex(std::string_view digits) {
-  std::vector<std::uint8_t> bytes(digits.size() / 2);
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    const std::size_t value = kDigits.find(digits[i]);
-    if (value == std::string_view::npos || digits.size() % 2 != 0) return {};
-    bytes[i / 2] = static_cast<std::uint8_t>(bytes[i / 2] << 4 | value);
-  }
-  return bytes;
-}
-
 LivePicture PictureOf(const Json& json) {
   return {TextOf(json, "name"), TextOf(json, "text"), SideOf(json, "width"), SideOf(json, "height"),
-          ReadHex(TextOf(json, "rgb"))};
+          FromHex(TextOf(json, "rgb"))};
 }
 
 Json WriteHookRequest(const Hook& hook) {
@@ -245,7 +234,7 @@ NoticeMessage ReadNotice(std::string_view text) {
 }
 
 RunId ReadRunId(std::string_view digits) {
-  const std::vector<std::uint8_t> bytes = ReadHex(digits);
+  const std::vector<std::uint8_t> bytes = FromHex(digits);
   RunId run{};
   if (bytes.size() == run.size()) std::copy(bytes.begin(), bytes.end(), run.begin());
   return run;

@@ -4,6 +4,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
+#include "bt_core/base/hex.h"
 #include "bt_core/base/json_library.h"
 #include "bt_core/base/version.h"
 #include "bt_core/live/debug/hook_json.h"
@@ -45,17 +46,6 @@ Json Greet(const LiveTrees& trees, bool may_control, Duration deadline, bool has
     json["control"] = permission.problem();
   }
   return json;
-}
-
-std::string ToHex(const std::vector<std::uint8_t>& bytes) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string hex;
-  hex.reserve(2 * bytes.size());
-  for (const std::uint8_t byte : bytes) {
-    hex += kDigits[byte >> 4];
-    hex += kDigits[byte & 15];
-  }
-  return hex;
 }
 
 }  // namespace
