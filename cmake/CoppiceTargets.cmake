@@ -38,15 +38,20 @@ function(coppice_test_program name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
 endfunction()
 
-# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [COST seconds] [OPTIMIZED])
+# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [COST seconds] [OPTIMIZED]
+#              [PROCESSES number])
 #   A GoogleTest program in build/tests/bin whose suites become tests of ctest, "NAME.SUITE": to
 #   start a process (a ROS master, the fonts) for each case takes longer than most cases.
 #   Which case failed is said in the output; `build/tests/bin/NAME --gtest_filter=SUITE.CASE` runs it.
 #   COST: of its longest suite, if that is many: those begin first, so that none is left for the end.
 #   OPTIMIZED: it calculates for long itself; one such suite at a time (the lock "calculates").
+#   PROCESSES: not one for each suite but so many, where a start takes longer than a whole suite.
 #   tests/support/folders.h tells where data and programs are.
 function(coppice_test name)
-  cmake_parse_arguments(ARG "OPTIMIZED" "TIMEOUT;COST" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "OPTIMIZED" "TIMEOUT;COST;PROCESSES" "LINK" ${ARGN})
+  if(NOT ARG_PROCESSES)
+    set(ARG_PROCESSES 0)
+  endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)  # for what hangs; a case that waits gives up by itself after 60 s
   endif()
@@ -73,7 +78,7 @@ function(coppice_test name)
   if(ARG_COST)
     string(APPEND properties ,COST,${ARG_COST})
   endif()
-  coppice_list_suites(${name} ${properties})
+  coppice_list_suites(${name} ${ARG_PROCESSES} ${properties})
 endfunction()
 
 # coppice_join(NAME RESULT SOURCES...)   sources named *_test.cc, ten at a time as one to compile
@@ -106,13 +111,13 @@ function(coppice_join name result)
   set(${result} ${compiled} PARENT_SCOPE)
 endfunction()
 
-# coppice_list_suites(PROGRAM PROPERTIES)   what ctest runs is listed when the program is built
-function(coppice_list_suites name properties)
+# coppice_list_suites(PROGRAM PROCESSES PROPERTIES)   what ctest runs is listed when the program is built
+function(coppice_list_suites name processes properties)
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   set(include ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)
   add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS ${suites}
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D NAME=${name}
-            -D PROPERTIES=${properties} -D FILE=${suites}
+            -D PROPERTIES=${properties} -D PROCESSES=${processes} -D FILE=${suites}
             -P ${PROJECT_SOURCE_DIR}/cmake/ListSuites.cmake
     VERBATIM)
   file(WRITE ${include} "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n"
