@@ -103,6 +103,28 @@ struct Sum {
   Vector6 error = Vector6::Zero();  // weighed by the information
 };
 
+// A group tilts as one: by how much its key frames are tilted on average, along the axes of the map.
+std::vector<Upright> UprightsOf(const PoseGraph& graph, const CoarseGraph& coarse, double doubt) {
+  std::vector<Eigen::Vector3d> tilts(coarse.graph.poses.size(), Eigen::Vector3d::Zero());
+  std::vector<Upright> uprights(coarse.graph.poses.size());
+  for (std::size_t i = 0; i < graph.uprights.size(); ++i) {
+    const Eigen::Vector2d tilt = TiltOf(graph.uprights[i], graph.poses[i]);
+    const double known = graph.uprights[i].information;
+    const double weight = known / (1 + known * tilt.squaredNorm() / doubt);
+    const std::uint32_t group = coarse.group_of[i];
+    uprights[group].information += weight;
+    tilts[group] += weight * (graph.poses[i].linear().leftCols<2>() * tilt);
+  }
+  for (std::size_t group = 0; group < uprights.size(); ++group) {
+    if (uprights[group].information <= 0) continue;
+    const Pose3& pose = coarse.graph.poses[group];
+    const Eigen::Vector3d tilt =
+        pose.linear().transpose() * tilts[group] / uprights[group].information;
+    uprights[group].up = TiltOf({}, pose) - tilt.head<2>();
+  }
+  return uprights;
+}
+
 }  // namespace
 
 Link BetweenGroups(const CoarseGraph& coarse, const std::vector<Pose3>& poses, const Link& link) {
@@ -130,6 +152,7 @@ CoarseGraph MakeCoarse(const PoseGraph& graph, const CoarseSettings& settings) {
   CoarseGraph coarse;
   coarse.group_of = std::move(groups.of);
   for (const std::uint32_t first : groups.firsts) coarse.graph.poses.push_back(graph.poses[first]);
+  coarse.graph.uprights = UprightsOf(graph, coarse, settings.optimize.doubt);
   std::map<std::pair<std::uint32_t, std::uint32_t>, Sum> sums;
   for (std::size_t i = 0; i < graph.links.size(); ++i) {
     Link link = graph.links[i];

@@ -23,7 +23,7 @@ struct CoarseGraph {
   /// Of each pose of the graph that it was made of.
   std::vector<std::uint32_t> group_of;
   /// Pose i is that of the first key frame of group i. What binds two groups is a step: closures
-  /// that are in doubt count for less already.
+  /// that are in doubt count for less already. A group is upright as its key frames are together.
   PoseGraph graph;
 };
 

@@ -93,6 +93,7 @@ bool GraphSolver::SolvePart(const std::vector<std::uint32_t>& part,
     at.emplace(pose, static_cast<std::uint32_t>(small.poses.size()));
     if (std::binary_search(fixed.begin(), fixed.end(), pose)) held.push_back(at[pose]);
     small.poses.push_back(graph.poses[pose]);
+    small.uprights.push_back(pose < graph.uprights.size() ? graph.uprights[pose] : Upright{});
   }
   const auto find = [&](std::uint32_t pose) {
     const auto [where, is_new] = at.emplace(pose, static_cast<std::uint32_t>(small.poses.size()));

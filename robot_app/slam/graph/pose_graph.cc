@@ -59,6 +59,26 @@ struct LinkCost {
   }
 };
 
+// Of the unit vector upwards, along the axes of the pose, less what is known of it.
+template <typename T>
+Eigen::Matrix<T, 2, 1> Tilt(const Eigen::Vector2d& up, const T* pose) {
+  const Eigen::Map<const Eigen::Quaternion<T>> rotation(pose + 3);
+  const Eigen::Matrix<T, 3, 1> seen =
+      rotation.conjugate() * Eigen::Matrix<T, 3, 1>(T(0), T(0), T(1));
+  return seen.template head<2>() - up.cast<T>();
+}
+
+struct UprightCost {
+  Upright upright;
+
+  template <typename T>
+  bool operator()(const T* pose, T* residual) const {
+    Eigen::Map<Eigen::Matrix<T, 2, 1>> out(residual);
+    out = T(std::sqrt(upright.information)) * Tilt(upright.up, pose);
+    return true;
+  }
+};
+
 ceres::CostFunction* CostOf(const Link& link) {
   const Matrix6 root = Eigen::LLT<Matrix6>(link.information).matrixU();
   return new ceres::AutoDiffCostFunction<LinkCost, 6, 7, 7>(new LinkCost{link.relative, root});
@@ -76,6 +96,12 @@ void Describe(const PoseGraph& graph, const std::vector<std::uint32_t>& fixed, d
         link.is_closure() ? new ceres::CauchyLoss(std::sqrt(doubt)) : nullptr;
     problem.AddResidualBlock(CostOf(link), loss, parameters[link.from].data(),
                              parameters[link.to].data());
+  }
+  for (std::size_t i = 0; i < graph.uprights.size(); ++i) {
+    if (graph.uprights[i].information <= 0) continue;
+    problem.AddResidualBlock(
+        new ceres::AutoDiffCostFunction<UprightCost, 2, 7>(new UprightCost{graph.uprights[i]}),
+        new ceres::CauchyLoss(std::sqrt(doubt)), parameters[i].data());
   }
 }
 
@@ -95,6 +121,10 @@ Vector6 ErrorOf(const Link& link, const Pose3& from, const Pose3& to) {
 double SquaredError(const Link& link, const std::vector<Pose3>& poses) {
   const Vector6 error = ErrorOf(link, poses[link.from], poses[link.to]);
   return error.dot(link.information * error);
+}
+
+Eigen::Vector2d TiltOf(const Upright& upright, const Pose3& pose) {
+  return Tilt(upright.up, ToParameters(pose).data());
 }
 
 bool Optimize(const std::vector<std::uint32_t>& fixed, const OptimizeSettings& settings,

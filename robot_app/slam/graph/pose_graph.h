@@ -3,7 +3,9 @@
 //
 // A step is what odometry measured between two key frames; it may be noisy, never wrong altogether.
 // A closure says that two key frames saw the same place; it may be wrong, and the farther off it is
-// the less it counts (Cauchy's kernel), so that one false closure does not bend the map.
+// the less it counts (Cauchy's kernel), so that one false closure does not bend the map. Which way
+// is up may be known of each pose: steps alone let the floor of a long corridor rise unnoticed.
+// That, too, counts the less the farther off it is, as on a ramp that odometry knows nothing of.
 //
 //   PoseGraph graph;
 //   graph.poses = {a, b};
@@ -43,10 +45,17 @@ struct Link {
   bool is_closure() const { return kind != LinkKind::kStep; }
 };
 
+/// Which way is up at a pose, of a robot on its floor: by gravity, or because floors are level.
+struct Upright {
+  Eigen::Vector2d up = {0, 0};  ///< of the unit vector upwards, what lies along its axes x and y
+  double information = 0;       ///< inverse variance of both [1/rad^2]; 0: nothing is known
+};
+
 /// The indices of the links are those of poses.
 struct PoseGraph {
   std::vector<Pose3> poses;
   std::vector<Link> links;
+  std::vector<Upright> uprights = {};  ///< of each pose; of those beyond its end nothing is known
 };
 
 /// The same standard deviation along all axes [m], and about all axes [rad].
@@ -59,9 +68,12 @@ Vector6 ErrorOf(const Link& link, const Pose3& from, const Pose3& to);
 /// The square of that error, in standard deviations: of a right link, 6 on average.
 double SquaredError(const Link& link, const std::vector<Pose3>& poses);
 
+/// How far a pose is tilted from what is known of it [rad], along its axes.
+Eigen::Vector2d TiltOf(const Upright& upright, const Pose3& pose);
+
 struct OptimizeSettings {
   int most_iterations = 20;  ///< one takes some 40 ms at 5 000 poses
-  /// Squared error from which on a closure counts for less than half.
+  /// Squared error from which on a closure, or what is upright, counts for less than half.
   double doubt = 12;
 };
 

@@ -16,9 +16,16 @@ double AngleOf(const Pose3& pose) { return Eigen::AngleAxisd(pose.linear()).angl
 SessionGraph::SessionGraph(SessionGraphSettings settings, PoseGraph graph,
                            std::vector<std::uint32_t> sessions)
     : settings_(settings), solver_(settings.solver), sessions_(std::move(sessions)) {
-  for (const Pose3& pose : graph.poses) {
-    graph_.poses.push_back(pose);
-    solver_.AddPose();
+  std::vector<const Link*> steps(graph.poses.size());  // to each pose
+  for (const Link& link : graph.links) {
+    if (!link.is_closure()) steps[link.to] = &link;
+  }
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] == nullptr) {
+      AddFirst(graph.poses[i]);
+    } else {
+      AddNext(graph.poses[i], steps[i]->relative);
+    }
   }
   for (const Link& link : graph.links) {
     graph_.links.push_back(link);
@@ -34,18 +41,34 @@ SessionGraph::SessionGraph(SessionGraphSettings settings, PoseGraph graph,
   }
 }
 
+void SessionGraph::AddFirst(const Pose3& pose) {
+  odometry_ = Eigen::Matrix3d::Identity();
+  AddPose(pose);
+}
+
+void SessionGraph::AddNext(const Pose3& pose, const Pose3& moved) {
+  odometry_ = odometry_ * moved.linear();
+  AddPose(pose);
+}
+
+void SessionGraph::AddPose(const Pose3& pose) {
+  graph_.poses.push_back(pose);
+  const Eigen::Vector3d up = odometry_.transpose() * Eigen::Vector3d::UnitZ();
+  graph_.uprights.push_back({up.head<2>(), 1 / (settings_.tilt * settings_.tilt)});
+  solver_.AddPose();
+}
+
 std::uint32_t SessionGraph::AddPose(const Pose3& moved, const Matrix6& information) {
   const auto index = static_cast<std::uint32_t>(graph_.poses.size());
   const bool begun = std::exchange(begins_, false);
   if (begun) {
     maps_.push_back(session_count());
-    graph_.poses.push_back(Pose3::Identity());
+    AddFirst(Pose3::Identity());
   } else {
     graph_.links.push_back({index - 1, index, moved, information, LinkKind::kStep});
-    graph_.poses.push_back(graph_.poses.back() * moved);
+    AddNext(graph_.poses.back() * moved, moved);
+    solver_.AddLink(graph_);
   }
-  solver_.AddPose();
-  if (!begun) solver_.AddLink(graph_);
   sessions_.push_back(session_count() - 1);
   return index;
 }

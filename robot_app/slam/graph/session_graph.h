@@ -30,6 +30,9 @@ namespace coppice::robot::slam {
 
 struct SessionGraphSettings {
   SolverSettings solver;
+  /// How well odometry knows the robot to be upright or tilted [rad, standard deviation]: by gravity
+  /// if it measures that, else because the robot drives on level floors.
+  double tilt = 0.005;
   /// A closure that is off by no more, squared in standard deviations, moves nothing: the graph as
   /// it is fits it.
   double settled = 4;
@@ -61,8 +64,8 @@ class SessionGraph {
   /// The next pose is the first of a new session, which knows nothing of the others.
   void BeginSession() { begins_ = true; }
 
-  /// A key frame `moved` from the one before it; the first of a session is the origin of its frame.
-  /// Returns its index.
+  /// A key frame `moved` from the one before it; the first of a session is the origin of its frame,
+  /// and upright. Returns its index.
   std::uint32_t AddPose(const Pose3& moved, const Matrix6& information);
 
   /// Is measured between two poses; see above.
@@ -85,6 +88,9 @@ class SessionGraph {
   bool InOneMap(std::uint32_t pose, std::uint32_t other) const;
 
  private:
+  void AddFirst(const Pose3& pose);
+  void AddNext(const Pose3& pose, const Pose3& moved);
+  void AddPose(const Pose3& pose);
   Verdict CloseInside(const std::vector<Link>& closures);
   bool SolveAround(const std::vector<Link>& closures);
   bool AllFit(const std::vector<Link>& closures, double most) const;
@@ -99,6 +105,7 @@ class SessionGraph {
   std::vector<std::uint32_t> sessions_;  // of each pose
   std::vector<std::uint32_t> maps_;      // of each session
   std::vector<Link> waiting_;            // between maps
+  Eigen::Matrix3d odometry_;             // how the newest pose is turned in it
   bool begins_ = true;
 };
 

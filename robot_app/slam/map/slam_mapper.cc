@@ -10,8 +10,11 @@ namespace coppice::robot::slam {
 namespace {
 
 // Odometry between two key frames: standard deviations at rest, and more for each metre and radian.
+// Wheels slip along their floor, not out of it.
 constexpr double kSlip = 0.004;  // m
 constexpr double kSlipPerMetre = 0.015;
+constexpr double kLift = 0.002;  // m
+constexpr double kLiftPerMetre = 0.003;
 constexpr double kTwist = 0.003;  // rad
 constexpr double kTwistPerMetre = 0.004;
 constexpr double kTwistPerRadian = 0.01;
@@ -38,8 +41,12 @@ double AngleOf(const Pose3& pose) { return Eigen::AngleAxisd(pose.linear()).angl
 
 Matrix6 OfStep(const Pose3& moved) {
   const double way = moved.translation().norm();
-  return InformationOf(kSlip + kSlipPerMetre * way,
-                       kTwist + kTwistPerMetre * way + kTwistPerRadian * AngleOf(moved));
+  Matrix6 information =
+      InformationOf(kSlip + kSlipPerMetre * way,
+                    kTwist + kTwistPerMetre * way + kTwistPerRadian * AngleOf(moved));
+  const double lift = kLift + kLiftPerMetre * way;
+  information(2, 2) = 1 / (lift * lift);
+  return information;
 }
 
 }  // namespace

@@ -80,5 +80,29 @@ TEST(CoarseGraph, PosesMoveWithTheirGroup) {
   }
 }
 
+TEST(CoarseGraph, AGroupIsTiltedAsItsKeyFramesAreTogether) {
+  PoseGraph graph = RingGraph();
+  for (const Pose3& pose : graph.poses) {
+    graph.uprights.push_back({TiltOf({}, pose), 1e4});  // each is as it is known to be
+  }
+  CoarseGraph coarse = MakeCoarse(graph, {});
+  ASSERT_EQ(coarse.graph.uprights.size(), coarse.graph.poses.size());
+  double information = 0;
+  for (std::size_t i = 0; i < coarse.graph.poses.size(); ++i) {
+    EXPECT_LT(TiltOf(coarse.graph.uprights[i], coarse.graph.poses[i]).norm(), 1e-9);
+    information += coarse.graph.uprights[i].information;
+  }
+  EXPECT_NEAR(information, 1e4 * static_cast<double>(graph.poses.size()), 1);
+
+  // All of the map is tilted about its axis x: so is each group, however it is turned.
+  Pose3 tilted = Pose3::Identity();
+  tilted.linear() = Eigen::AngleAxisd(0.003, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  for (Pose3& pose : graph.poses) pose = tilted * pose;
+  coarse = MakeCoarse(graph, {});
+  for (std::size_t i = 0; i < coarse.graph.poses.size(); ++i) {
+    EXPECT_NEAR(TiltOf(coarse.graph.uprights[i], coarse.graph.poses[i]).norm(), 0.003, 1e-5) << i;
+  }
+}
+
 }  // namespace
 }  // namespace coppice::robot::slam

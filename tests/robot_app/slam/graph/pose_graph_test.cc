@@ -45,6 +45,39 @@ TEST(PoseGraph3d, WithoutTheKernelTheSameLinkBendsIt) {
   EXPECT_GT(WorstOf(graph.poses, truth), 4);
 }
 
+// 60 m straight on, while each step says that it goes up a little more.
+PoseGraph RisingFloor() {
+  PoseGraph graph{{Pose3::Identity()}, {}};
+  for (std::uint32_t i = 1; i <= 60; ++i) {
+    graph.links.push_back({i - 1, i, Step(1, 0, -0.0005), OfSteps(), LinkKind::kStep});
+    graph.poses.push_back(graph.poses.back() * graph.links.back().relative);
+  }
+  return graph;
+}
+
+TEST(PoseGraph3d, AFloorThatIsKnownToBeLevelDoesNotRise) {
+  PoseGraph graph = RisingFloor();
+  ASSERT_GT(graph.poses.back().translation().z(), 0.8);
+  graph.uprights.assign(graph.poses.size(), {{0, 0}, 1 / (0.005 * 0.005)});
+  ASSERT_TRUE(Optimize({0}, {}, graph));
+  EXPECT_LT(graph.poses.back().translation().z(), 0.1);
+}
+
+TEST(PoseGraph3d, APoseOfWhichNothingIsKnownMayBeTilted) {
+  PoseGraph graph = RisingFloor();
+  graph.uprights.resize(graph.poses.size());
+  ASSERT_TRUE(Optimize({0}, {}, graph));
+  EXPECT_GT(graph.poses.back().translation().z(), 0.8);
+}
+
+TEST(PoseGraph3d, ATiltIsAlongTheAxesOfThePose) {
+  const Pose3 pose = Step(3, M_PI / 2, 0.02);  // turned to the left, and its nose down
+  const Eigen::Vector2d tilt = TiltOf({}, pose);
+  EXPECT_NEAR(tilt.x(), -0.02, 1e-4);
+  EXPECT_NEAR(tilt.y(), 0, 1e-9);
+  EXPECT_LT(TiltOf({tilt, 1}, pose).norm(), 1e-9);
+}
+
 TEST(PoseGraph3d, AnErrorIsInTheAxesOfWhatTheLinkSays) {
   const Pose3 from = Step(3, 1);
   const Link link{0, 1, Step(1, M_PI / 2), InformationOf(0.1, 0.01), LinkKind::kStep};

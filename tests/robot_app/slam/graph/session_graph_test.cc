@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/robot_app/slam/graph/ring.h"
 
 namespace coppice::robot::slam {
@@ -93,6 +95,38 @@ TEST(SessionGraph, WhatWasWrittenDownGoesOn) {
   EXPECT_EQ(again.map_of(2), 2U);
   again.BeginSession();
   EXPECT_EQ(again.sessions()[again.AddPose(Pose3::Identity(), OfSteps())], 3U);
+}
+
+// Up a ramp, half of a metre a step; odometry knows it, or does not.
+double HeightOfRamp(bool is_measured) {
+  SessionGraph graph;
+  graph.BeginSession();
+  graph.AddPose(Pose3::Identity(), OfSteps());
+  for (int i = 0; i < 40; ++i) {
+    const double pitch = i == 10 ? -0.08 : i == 30 ? 0.08 : 0;
+    graph.AddPose(Step(0.5, 0, is_measured ? pitch : 0), OfSteps());
+  }
+  Link closure{0, 40, graph.poses()[40], OfClosures(), LinkKind::kCloud};
+  closure.relative.translation().x() -= 0.15;
+  EXPECT_EQ(graph.AddClosure(closure), Verdict::kBelieved);
+  return graph.poses()[40].translation().z();
+}
+
+TEST(SessionGraph, ARampThatOdometryMeasuresStaysARamp) {
+  EXPECT_NEAR(HeightOfRamp(true), 20 * 0.5 * std::sin(0.08), 0.05);
+  EXPECT_NEAR(HeightOfRamp(false), 0, 1e-3);
+}
+
+TEST(SessionGraph, AGraphThatWasWrittenDownKnowsAsWellWhatIsUpright) {
+  SessionGraph graph;
+  Drive(graph, 0.001);
+  Drive(graph, 0.002);
+  const SessionGraph read({}, graph.graph(), graph.sessions());
+  ASSERT_EQ(read.graph().uprights.size(), graph.poses().size());
+  for (std::size_t i = 0; i < graph.poses().size(); ++i) {
+    EXPECT_TRUE(read.graph().uprights[i].up.isApprox(graph.graph().uprights[i].up)) << i;
+    EXPECT_EQ(read.graph().uprights[i].information, graph.graph().uprights[i].information);
+  }
 }
 
 }  // namespace
