@@ -19,6 +19,7 @@
 #include "robot_app/common/limits/largest_allocation.h"
 #include "robot_app/mapping/map_file.h"
 #include "robot_app/slam/drawing/map_picture.h"
+#include "robot_app/slam/map/map_voxels.h"
 #include "robot_app/slam/map/navigation_frame.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/slam/map/slam_mapper.h"

@@ -302,7 +302,7 @@ class SlamNode {
     const Pose3 moved = sight.odometry.inverse() * ToPose3(*odometry);
     if (!IsWithin(moved, kSamePlace, kSameTurn)) return;
     const CameraMount lens{moment->lens, moved * ToEigen(mount->transform)};
-    sight.pictures.push_back({FindFeatures(moment->colour, moment->depth, lens), lens});
+    sight.pictures.push_back(SeePicture(moment->colour, moment->depth, lens));
     sight.brightness = BrightnessOf(moment->colour);
   }
 

@@ -9,6 +9,7 @@
 #include "robot_app/simulation/floor_scene.h"
 #include "robot_app/slam/graph/floor_pose.h"
 #include "robot_app/slam/graph/planar_fit.h"
+#include "robot_app/slam/map/map_voxels.h"
 
 namespace coppice::robot::training {
 namespace {
@@ -95,7 +96,7 @@ class Study {
     for (std::size_t camera = 0; camera < 2; ++camera) {
       const simulation::RgbdPicture& seen = pictures[camera];
       const slam::CameraMount& mount = study_.sensors.cameras[camera];
-      sight.pictures.push_back({slam::FindFeatures(seen.colour, seen.depth, mount), mount});
+      sight.pictures.push_back(slam::SeePicture(seen.colour, seen.depth, mount));
       sight.brightness = slam::BrightnessOf(seen.colour);
     }
     const slam::MapperReport report = mapper_.Add(sight);

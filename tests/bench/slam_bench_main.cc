@@ -17,6 +17,7 @@
 #include "bt_core/model/write_file.h"
 #include "robot_app/common/compressed_picture.h"
 #include "robot_app/slam/drawing/map_picture.h"
+#include "robot_app/slam/map/map_voxels.h"
 #include "robot_app/slam/map/slam_map_file.h"
 #include "robot_app/training/maps/building_tour.h"
 #include "robot_app/training/maps/update_figures.h"

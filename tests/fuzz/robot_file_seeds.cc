@@ -18,6 +18,7 @@ robot::slam::KeyFrame SomeKeyFrame() {
   robot::slam::KeyFrame key_frame;
   key_frame.range = 8;
   for (int i = 0; i < 5; ++i) key_frame.points.emplace_back(1.0F, 0.5F * static_cast<float>(i), 1);
+  key_frame.camera_clouds.push_back({{0.3F, 0, 1}, key_frame.points});
   auto picture = std::make_shared<robot::slam::PictureFeatures>();
   for (int i = 0; i < 2; ++i) {
     picture->pixels.emplace_back(10.0F, 20.0F);

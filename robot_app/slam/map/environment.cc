@@ -25,11 +25,11 @@ Expected<std::optional<Surroundings>> AskedSurroundings(const std::string& text)
 SlamConfiguration ConfigurationFor(Surroundings surroundings) {
   switch (surroundings) {
     case Surroundings::kIndoor:
-      return {surroundings, 8};
+      return {surroundings, 8, true};
     case Surroundings::kHall:
-      return {surroundings, 15};
+      return {surroundings, 15, false};
     case Surroundings::kOutdoor:
-      return {surroundings, 40};
+      return {surroundings, 40, false};
   }
   return {};
 }

@@ -1,11 +1,11 @@
 // Which configuration suits the place where the robot is: how far the walls are and how bright it
 // is decide, with hysteresis, so that a doorway does not make it flutter.
 //
-// | configuration | walls                      | range of the map |
-// |---|---|---|
-// | indoor        | near                       | short            |
-// | hall          | far                        | longer           |
-// | outdoor       | hardly any, and it is bright | long           |
+// | configuration | walls                        | range of the map | depth of the cameras |
+// |---|---|---|---|
+// | indoor        | near                         | short            | is entered, too      |
+// | hall          | far                          | longer           | is left out          |
+// | outdoor       | hardly any, and it is bright | long             | is left out          |
 //
 // In the dark the cameras are not asked for places. S. Ehlers, M. Stuede, K. Nuelle, T. Ortmaier:
 // Map Management Approach for SLAM in Large-Scale Indoor and Outdoor Areas, ICRA 2020.
@@ -32,7 +32,8 @@ Expected<std::optional<Surroundings>> AskedSurroundings(const std::string& text)
 /// What a configuration changes.
 struct SlamConfiguration {
   Surroundings surroundings = Surroundings::kIndoor;
-  double range = 8;  ///< of what is entered into the map [m]
+  double range = 8;         ///< of what is entered into the map [m]
+  bool has_cameras = true;  ///< their depth is entered, too, not only the lidar's
 };
 SlamConfiguration ConfigurationFor(Surroundings surroundings);
 

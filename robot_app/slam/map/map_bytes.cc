@@ -62,6 +62,11 @@ void PutKeyFrame(const KeyFrame& key_frame, Writer& writer) {
   writer.PutMatrix(Eigen::Vector3d(place.x, place.y, place.yaw));
   writer.Put(key_frame.descriptor);
   writer.PutPoints(key_frame.points);
+  writer.PutSize(key_frame.camera_clouds.size());
+  for (const CameraCloud& cloud : key_frame.camera_clouds) {
+    writer.PutPoints({cloud.camera});
+    writer.PutPoints(cloud.points);
+  }
   writer.PutSize(key_frame.pictures.size());
   for (const auto& picture : key_frame.pictures) PutPicture(*picture, writer);
 }
@@ -77,6 +82,12 @@ KeyFrame GetKeyFrame(Reader& reader) {
   if (has_place) key_frame.place = Pose2D{place.x(), place.y(), place.z()};
   key_frame.descriptor = reader.Get<CloudDescriptor>();
   key_frame.points = reader.GetPoints();
+  const std::size_t clouds = reader.GetSize(8);
+  for (std::size_t i = 0; i < clouds; ++i) {
+    const std::vector<Eigen::Vector3f> camera = reader.GetPoints();
+    if (camera.size() != 1 || !camera[0].allFinite()) return reader.Fail(), key_frame;
+    key_frame.camera_clouds.push_back({camera[0], reader.GetPoints()});
+  }
   const std::size_t pictures = reader.GetSize(4);
   for (std::size_t i = 0; i < pictures; ++i) {
     key_frame.pictures.push_back(std::make_shared<PictureFeatures>(GetPicture(reader)));

@@ -16,7 +16,7 @@ namespace coppice::robot::slam {
 namespace {
 
 constexpr int kApplicationId = 0x436f536c;  // "CoSl"
-constexpr int kSchemaVersion = 2;
+constexpr int kSchemaVersion = 3;
 constexpr int kPatience = 1000;                 // ms, with another program
 constexpr int kLongestPart = 16 << 20;          // bytes, packed
 constexpr int kDamaged = 11, kNoDatabase = 26;  // SQLITE_CORRUPT, SQLITE_NOTADB

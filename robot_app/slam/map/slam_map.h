@@ -15,6 +15,12 @@
 
 namespace coppice::robot::slam {
 
+/// What a camera measured of the space before it, thinned: in base_link, in whole centimetres.
+struct CameraCloud {
+  Eigen::Vector3f camera = {0, 0, 0};  ///< where it is
+  CloudPoints points;
+};
+
 /// What was seen from one place. Immutable, shared by who looks at it.
 struct KeyFrame {
   double stamp = 0;  ///< [s]
@@ -22,8 +28,9 @@ struct KeyFrame {
   std::vector<std::shared_ptr<const PictureFeatures>> pictures;
   /// Of the lidar, thinned: in base_link, in whole centimetres.
   CloudPoints points;
-  CloudDescriptor descriptor;  ///< of all that the lidar saw
-  double range = 8;            ///< points up to here are entered into the voxels [m]
+  std::vector<CameraCloud> camera_clouds;  ///< where they are entered into the voxels
+  CloudDescriptor descriptor;              ///< of all that the lidar saw
+  double range = 8;                        ///< points up to here are entered into the voxels [m]
   /// base_link in the frame of the map that the robot navigates on, if its localization was sure.
   std::optional<Pose2D> place;
 };

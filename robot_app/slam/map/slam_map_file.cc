@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kHeader[] = "coppice slam map 2\n";
+constexpr char kHeader[] = "coppice slam map 3\n";
 constexpr int kKept = 3;                                   // versions
 constexpr int kLastVersion = 999'999'999;                  // no map of ours has a higher number
 constexpr std::size_t kLongestMap = std::size_t{2} << 30;  // bytes of a file

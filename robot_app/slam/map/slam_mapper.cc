@@ -116,11 +116,13 @@ MapperReport SlamMapper::Add(const Sight& sight) {
   key_frame->stamp = sight.stamp;
   key_frame->descriptor = Describe(sight.cloud);
   environment_.Add(sight.stamp, Read(key_frame->descriptor, sight.brightness));
-  key_frame->range = ConfigurationFor(environment_.surroundings()).range;
+  const SlamConfiguration configuration = ConfigurationFor(environment_.surroundings());
+  key_frame->range = configuration.range;
   key_frame->place = sight.place;
   key_frame->points = Thinned(sight.cloud, kKeptEdge, kKeptRange);
   for (const SightPicture& picture : sight.pictures) {
     key_frame->pictures.push_back(std::make_shared<PictureFeatures>(picture.features));
+    if (configuration.has_cameras) key_frame->camera_clouds.push_back(picture.cloud);
   }
   key_frames_.push_back(key_frame);
   memory_.Add();
@@ -270,17 +272,5 @@ bool SlamMapper::IsJoined() const {
 }
 
 SlamMap SlamMapper::Map() const { return {key_frames_, graph_.graph(), graph_.sessions(), names_}; }
-
-VoxelMap VoxelsOf(const SlamMap& map, std::uint32_t of_session, const Eigen::Vector3d& lidar,
-                  double resolution) {
-  const SessionGraph graph({}, map.graph, map.sessions);
-  VoxelMap voxels(resolution);
-  for (std::size_t i = 0; i < map.key_frames.size(); ++i) {
-    if (graph.map_of(map.sessions[i]) != graph.map_of(of_session)) continue;
-    const KeyFrame& key_frame = *map.key_frames[i];
-    voxels.Add(key_frame.points, map.graph.poses[i], lidar, key_frame.range);
-  }
-  return voxels;
-}
 
 }  // namespace coppice::robot::slam

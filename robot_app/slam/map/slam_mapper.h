@@ -25,29 +25,11 @@
 #include "robot_app/slam/map/environment.h"
 #include "robot_app/slam/map/map_store.h"
 #include "robot_app/slam/map/memory.h"
+#include "robot_app/slam/map/sight.h"
 #include "robot_app/slam/map/slam_map.h"
-#include "robot_app/slam/occupancy/voxel_map.h"
 #include "robot_app/slam/pictures/picture_places.h"
 
 namespace coppice::robot::slam {
-
-/// What a camera saw. Its points and its place on the robot are given in base_link as that was at
-/// the instant of the sight, also if the picture was taken a little before or after.
-struct SightPicture {
-  PictureFeatures features;
-  CameraMount camera;
-};
-
-/// What the sensors see at one instant.
-struct Sight {
-  double stamp = 0;
-  Pose3 odometry = Pose3::Identity();
-  std::vector<SightPicture> pictures;
-  double brightness = 1;  ///< of the pictures, 0..1
-  CloudPoints cloud;      ///< in base_link
-  /// base_link in the frame of the map that the robot navigates on, if its localization is sure.
-  std::optional<Pose2D> place;
-};
 
 struct MapperSettings {
   double step = 0.5;                    ///< a key frame after so much way [m]
@@ -152,10 +134,6 @@ class SlamMapper {
   double way_ = 0;
   double closed_at_ = 0;
 };
-
-/// The voxels of all key frames that lie in the map of session `map`.
-VoxelMap VoxelsOf(const SlamMap& map, std::uint32_t of_session, const Eigen::Vector3d& lidar,
-                  double resolution);
 
 }  // namespace coppice::robot::slam
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "robot_app/slam/map/map_voxels.h"
+
 namespace coppice::robot::slam {
 
 VoxelWorker::VoxelWorker(double resolution, const Eigen::Vector3d& lidar)
@@ -22,7 +24,7 @@ void VoxelWorker::Clear() {
 
 void VoxelWorker::Add(std::shared_ptr<const KeyFrame> key_frame, const Pose3& pose) {
   Do([this, key_frame = std::move(key_frame), pose](VoxelMap& voxels) {
-    voxels.Add(key_frame->points, pose, lidar_, key_frame->range);
+    Enter(*key_frame, pose, lidar_, voxels);
   });
 }
 

@@ -48,7 +48,7 @@ std::vector<Seen> Round(const SlamStudy& study, std::size_t session) {
       const simulation::RgbdPicture picture = eyes.TakePicture(stop, camera);
       const slam::CameraMount& mount = study.sensors.cameras[camera];
       const std::clock_t begin = std::clock();
-      sight.pictures.push_back({slam::FindFeatures(picture.colour, picture.depth, mount), mount});
+      sight.pictures.push_back(slam::SeePicture(picture.colour, picture.depth, mount));
       sight.brightness = slam::BrightnessOf(picture.colour);
       seen.seconds += Seconds(begin);
     }

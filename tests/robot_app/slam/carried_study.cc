@@ -141,8 +141,7 @@ KnownInstitute::KnownInstitute(const std::vector<Vec2>& way)
     sight.cloud = eyes.TakeCloud(stop);
     for (std::size_t i = 0; i < 2; ++i) {
       const auto seen = eyes.TakePicture(stop, i);
-      sight.pictures.push_back(
-          {FindFeatures(seen.colour, seen.depth, sensors_.cameras[i]), sensors_.cameras[i]});
+      sight.pictures.push_back(SeePicture(seen.colour, seen.depth, sensors_.cameras[i]));
     }
     mapper_.Add(sight);
   }
@@ -159,8 +158,7 @@ std::optional<Pose2D> KnownInstitute::Look(const Pose2D& truth, double moment) {
   std::vector<SightPicture> pictures;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto seen = eyes_->TakePicture(stop, i);
-    pictures.push_back(
-        {FindFeatures(seen.colour, seen.depth, sensors_.cameras[i]), sensors_.cameras[i]});
+    pictures.push_back(SeePicture(seen.colour, seen.depth, sensors_.cameras[i]));
   }
   const auto known = mapper_.Recognize(pictures);
   if (!known) return std::nullopt;

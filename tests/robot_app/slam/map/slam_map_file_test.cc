@@ -62,6 +62,9 @@ TEST_F(SlamMapFileTest, WhatWasSavedIsReadAsItWas) {
   EXPECT_EQ(key_frame.place->y, -1.5);
   EXPECT_FALSE(map.key_frames[1]->place.has_value());
   EXPECT_TRUE(key_frame.points[1].isApprox(Eigen::Vector3f(-3.25F, 0, 1)));
+  ASSERT_EQ(key_frame.camera_clouds.size(), 1U);
+  EXPECT_TRUE(key_frame.camera_clouds[0].camera.isApprox(Eigen::Vector3f(0.25F, 0, 1.5F)));
+  EXPECT_TRUE(key_frame.camera_clouds[0].points[1].isApprox(Eigen::Vector3f(2, -1, 0.5F)));
   EXPECT_EQ(key_frame.descriptor.contour[7], 4.5F);
   EXPECT_EQ(key_frame.pictures[0]->descriptors[0][3], 2U);
   EXPECT_TRUE(std::isnan(key_frame.pictures[0]->points[0].x()));

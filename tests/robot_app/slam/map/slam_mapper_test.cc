@@ -65,6 +65,18 @@ TEST_F(SlamMapperTest, KeyFramesThatWerePutAwayComeBackAndCloseLoops) {
   EXPECT_EQ(result.figures.false_closures, 0);
 }
 
+TEST_F(SlamMapperTest, TheDepthOfTheCamerasIsKeptIndoorsOnly) {
+  for (const Surroundings place : {Surroundings::kIndoor, Surroundings::kHall}) {
+    SlamMapper mapper(vocabulary_, classifier_, mapper_);
+    mapper.environment().Force(place);
+    mapper.BeginSession("one");
+    Sight sight;
+    sight.pictures.push_back({{}, sensors_.cameras[0], {{0, 0, 1}, {{1, 0, 0.5F}}}});
+    mapper.Add(sight);
+    EXPECT_EQ(mapper.key_frames()[0]->camera_clouds.size(), place == Surroundings::kIndoor ? 1 : 0);
+  }
+}
+
 TEST_F(SlamMapperTest, AWorkingMemoryThatIsTooSmallForTheMapIsKept) {
   mapper_.working = 5;
   const training::SlamResult result = Run({1});

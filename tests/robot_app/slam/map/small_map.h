@@ -22,6 +22,7 @@ inline SlamMap SmallMap() {
     key_frame->stamp = 10 * i;
     if (i == 2) key_frame->place = Pose2D{4, -1.5, 0.25};
     key_frame->points = {{1, 2, 0.5F}, {-3.25F, 0, 1}};
+    key_frame->camera_clouds = {{{0.25F, 0, 1.5F}, {{2, 1, 0.75F}, {2, -1, 0.5F}}}};
     key_frame->descriptor.contour[7] = 4.5F;
     PictureFeatures picture;
     picture.pixels = {{100.5F, 20}};
