@@ -86,6 +86,10 @@ class Study {
     sight.stamp = stamp;
     sight.odometry = ToPose3(stop.odometry);
     if (!mapper_.IsDue(sight.odometry)) return;
+    // So the grid of the map that is kept can be navigated on. The mapper itself does not use it.
+    if (mapper_.graph().session_count() <= 1) {
+      sight.place = Pose2D{stop.truth.x, stop.truth.y, stop.truth.yaw};
+    }
     std::vector<simulation::RgbdPicture> pictures;
     for (std::size_t camera = 0; camera < 2; ++camera) {
       pictures.push_back(eyes.TakePicture(stop, camera));

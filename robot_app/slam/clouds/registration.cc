@@ -25,14 +25,14 @@ constexpr int kNeighbours = 8;    // for a normal
 constexpr float kLeast = 0.6F;    // m: nearer is the robot itself
 constexpr std::size_t kFew = 60;  // points: nothing to compare
 
-// Pairs of points may be so far apart, and so many steps are done; of so many points one is looked
-// at.
+// Pairs of points may be so far apart, and so many steps are done, with so many points: those of a
+// hall are no better than those of an office.
 struct Pass {
   double pairs;
   int steps;
-  std::size_t of;
+  std::size_t points;
 };
-constexpr Pass kPasses[] = {{1.5, 12, 8}, {0.6, 10, 4}, {0.25, 8, 2}};
+constexpr Pass kPasses[] = {{1.5, 12, 200}, {0.6, 10, 400}, {0.25, 8, 800}};
 constexpr double kStill = 1e-4;   // m and rad: a step is the last one
 constexpr float kAcross = 0.75F;  // of a normal along the weakest direction: it holds that
 constexpr float kAlike = 0.8F;    // cosine between the normals of a pair
@@ -76,7 +76,8 @@ std::optional<Pose3> StepOf(Target& old_cloud, const ThinCloud& new_cloud, const
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d error = Eigen::Vector3d::Zero();
   const Eigen::Isometry3f moved = pose.cast<float>();
-  for (std::size_t i = 0; i < new_cloud.points.size(); i += pass.of) {
+  const std::size_t every = (new_cloud.points.size() + pass.points - 1) / pass.points;
+  for (std::size_t i = 0; i < new_cloud.points.size(); i += every) {
     const Eigen::Vector3f point = moved * new_cloud.points[i];
     const auto pair = old_cloud.Find(point, moved.linear() * new_cloud.normals[i], pass.pairs);
     if (!pair) continue;
