@@ -103,7 +103,7 @@ struct Sum {
   Vector6 error = Vector6::Zero();  // weighed by the information
 };
 
-// A group tilts as one: by how much its key frames are tilted on average, along the axes of the map.
+// A group tilts as one: by how much its key frames are tilted on average, along the map's axes.
 std::vector<Upright> UprightsOf(const PoseGraph& graph, const CoarseGraph& coarse, double doubt) {
   std::vector<Eigen::Vector3d> tilts(coarse.graph.poses.size(), Eigen::Vector3d::Zero());
   std::vector<Upright> uprights(coarse.graph.poses.size());

@@ -30,8 +30,8 @@ namespace coppice::robot::slam {
 
 struct SessionGraphSettings {
   SolverSettings solver;
-  /// How well odometry knows the robot to be upright or tilted [rad, standard deviation]: by gravity
-  /// if it measures that, else because the robot drives on level floors.
+  /// How well odometry knows the robot to be upright or tilted [rad, standard deviation]: by
+  /// gravity if it measures that, else because the robot drives on level floors.
   double tilt = 0.005;
   /// A closure that is off by no more, squared in standard deviations, moves nothing: the graph as
   /// it is fits it.
