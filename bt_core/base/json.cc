@@ -201,27 +201,30 @@ std::string PrintInLines(const JsonValue& json, std::size_t indent, std::size_t 
   return text + "\n" + std::string(indent, ' ') + line.back();
 }
 
-// Reads on until something is nested too deep.
-class DepthCheck final : public nlohmann::json_sax<nlohmann::json> {
+// Reads on until something is nested too deep, or there are too many values.
+class LimitCheck final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
+  bool null() override { return Count(); }
+  bool boolean(bool) override { return Count(); }
+  bool number_integer(number_integer_t) override { return Count(); }
+  bool number_unsigned(number_unsigned_t) override { return Count(); }
+  bool number_float(number_float_t, const string_t&) override { return Count(); }
+  bool string(string_t&) override { return Count(); }
+  bool binary(binary_t&) override { return Count(); }
   bool key(string_t&) override { return true; }
-  bool start_object(std::size_t) override { return ++depth_ <= kMaxJsonDepth; }
+  bool start_object(std::size_t) override { return Count() && ++depth_ <= kMaxJsonDepth; }
   bool end_object() override { return --depth_ >= 0; }
-  bool start_array(std::size_t) override { return ++depth_ <= kMaxJsonDepth; }
+  bool start_array(std::size_t) override { return Count() && ++depth_ <= kMaxJsonDepth; }
   bool end_array() override { return --depth_ >= 0; }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
     return false;
   }
 
  private:
+  bool Count() { return ++values_ <= kMostJsonValues; }
+
   int depth_ = 0;
+  std::size_t values_ = 0;
 };
 
 }  // namespace
@@ -271,15 +274,23 @@ JsonObject& JsonObject::AddText(std::string_view key, std::string_view text) {
   return Add(key, JsonString(text));
 }
 
-nlohmann::json ParseLimitedJson(std::string_view text) {
-  return nlohmann::json::parse(text, [](int depth, nlohmann::json::parse_event_t, auto&) {
+nlohmann::json ParseLimitedJson(std::string_view text, std::size_t most_values) {
+  using Event = nlohmann::json::parse_event_t;
+  std::size_t values = 0;
+  return nlohmann::json::parse(text, [&](int depth, Event event, auto&) {
     if (depth > kMaxJsonDepth) throw std::invalid_argument("the JSON is nested too deep");
+    const bool is_value =
+        event == Event::value || event == Event::object_start || event == Event::array_start;
+    if (is_value && ++values > most_values) {
+      throw std::invalid_argument("the JSON has more than " + std::to_string(most_values) +
+                                  " values");
+    }
     return true;
   });
 }
 
 nlohmann::json ReadLimitedMessagePack(std::string_view bytes) {
-  DepthCheck check;
+  LimitCheck check;
   if (!nlohmann::json::sax_parse(bytes, &check, nlohmann::json::input_format_t::msgpack)) {
     return nlohmann::json(nlohmann::json::value_t::discarded);
   }

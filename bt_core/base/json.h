@@ -18,7 +18,7 @@ namespace coppice {
 
 /// What is nested deeper is refused wherever JSON is read.
 inline constexpr int kMaxJsonDepth = 100;
-/// ParseJson refuses more: each takes a hundred times what its text does.
+/// More is refused wherever JSON is read: each takes a hundred times what its text does.
 inline constexpr std::size_t kMostJsonValues = 400'000;
 /// For ReadFile, of a file of JSON that people write [bytes].
 inline constexpr std::size_t kLongestJson = std::size_t{16} << 20;

@@ -15,14 +15,24 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 template <class Add>
-void LiveQueue::Change(const Add& add) {
+void LiveQueue::Change(std::size_t bytes, const Add& add) {
   bool was_empty = false;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    std::unique_lock<std::mutex> lock(mutex_);
+    has_room_.wait(lock, [this] { return bytes_ < most_bytes_ || nobody_waits_; });
     was_empty = letters_.empty();
+    bytes_ += sizeof(Letter) + bytes;
     add();
   }
   if (was_empty && wake_) wake_();
+}
+
+void LiveQueue::StopWaiting() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    nobody_waits_ = true;
+  }
+  has_room_.notify_all();
 }
 
 bool LiveQueue::empty() const {
@@ -30,17 +40,27 @@ bool LiveQueue::empty() const {
   return letters_.empty();
 }
 
-void LiveQueue::Put(Letter letter) {
-  Change([&] { letters_.all.push_back(std::move(letter)); });
+void LiveQueue::Put(Letter letter, std::size_t bytes) {
+  Change(bytes, [&] { letters_.all.push_back(std::move(letter)); });
 }
 
 void LiveQueue::PutReply(LiveClient::ReplyHandler on_reply, LiveReply reply) {
   if (on_reply) Put(Reply{std::move(on_reply), std::move(reply)});
 }
 
+void LiveQueue::OnNotice(const LiveNotice& notice) {
+  Put(notice, notice.path.size() + notice.event.reason.size());
+}
+
+void LiveQueue::OnForeignHooks(const std::vector<ForeignHook>& hooks) {
+  std::size_t bytes = 0;
+  for (const ForeignHook& hook : hooks) bytes += sizeof(hook) + hook.hook.path.size();
+  Put(hooks, bytes);
+}
+
 // What a robot showed that is gone, nobody needs to see.
 void LiveQueue::OnConnection(const LiveConnection& connection) {
-  Change([&] {
+  Change(connection.problem.size(), [&] {
     if (!connection.is_live) letters_.pictures.Clear();
     letters_.all.emplace_back(connection);
   });
@@ -48,11 +68,11 @@ void LiveQueue::OnConnection(const LiveConnection& connection) {
 
 // What is too much beside the others is of a robot that keeps no limits.
 void LiveQueue::OnPicture(const LivePicture& picture) {
-  Change([&] { static_cast<void>(letters_.pictures.Put(picture)); });
+  Change(0, [&] { static_cast<void>(letters_.pictures.Put(picture)); });
 }
 
 void LiveQueue::OnTick(const TickEvents& events) {
-  Change([&] {
+  Change(events.words.size * sizeof(std::uint32_t), [&] {
     letters_.all.push_back(Tick{events, letters_.words.size()});
     letters_.words.insert(letters_.words.end(), events.words.data,
                           events.words.data + events.words.size);
@@ -64,7 +84,9 @@ void LiveQueue::Deliver(LiveListener& listener) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::swap(letters, letters_);
+    bytes_ = 0;
   }
+  has_room_.notify_all();
   Hand(letters, listener);
 }
 

@@ -3,6 +3,7 @@
 #define COPPICE_EDITOR_LIVE_ROBOT_SOURCE_H_
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "editor/live/live_queue.h"
@@ -16,6 +17,9 @@ class RobotSource final : public RunSource {
   /// another thread when there is news; it must be quick. Throws as LiveClient does.
   explicit RobotSource(std::string endpoint, std::function<void()> wake = {},
                        const LiveClientOptions& options = DefaultOptions());
+  ~RobotSource() override { queue_.StopWaiting(); }
+  RobotSource(const RobotSource&) = delete;
+  RobotSource& operator=(const RobotSource&) = delete;
 
   /// Named as the editor, with the token of the environment.
   static LiveClientOptions DefaultOptions();
@@ -24,12 +28,14 @@ class RobotSource final : public RunSource {
   bool is_robot() const override { return true; }
   void Pump(LiveListener& listener) override { queue_.Deliver(listener); }
   bool has_news() const override { return !queue_.empty(); }
+  void HangUp(const std::string& why) override;
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override;
 
  private:
   const std::string endpoint_;
   LiveQueue queue_;
-  LiveClient client_;
+  std::optional<LiveClient> client_;
+  std::string why_;  // there is no client
 };
 
 }  // namespace coppice::editor

@@ -45,6 +45,7 @@ RunNeed NeedOf(const RunView& run) {
   if (run.phase() == RunPhase::kReconnecting) {
     return {Level::kCome, WithProblem("does not answer", run)};
   }
+  if (run.phase() == RunPhase::kLeft) return {Level::kLook, WithProblem("is not followed", run)};
   if (run.phase() == RunPhase::kConnecting && !run.connection().problem.empty()) {
     return {Level::kLook, WithProblem("was not reached yet", run)};
   }

@@ -20,6 +20,8 @@ const char* ToString(RunPhase phase) {
       return "live";
     case RunPhase::kReconnecting:
       return "reconnecting";
+    case RunPhase::kLeft:
+      return "no longer followed";
     case RunPhase::kLoading:
       return "loading";
     case RunPhase::kRecord:
@@ -42,6 +44,7 @@ std::string RunView::bookmark_name() const {
 RunPhase RunView::phase() const {
   if (source_->is_simulation()) return RunPhase::kSimulation;
   if (!source_->is_robot()) return source_->is_loading() ? RunPhase::kLoading : RunPhase::kRecord;
+  if (is_left_) return RunPhase::kLeft;
   if (connection_.is_live) return RunPhase::kLive;
   return was_live_ ? RunPhase::kReconnecting : RunPhase::kConnecting;
 }
@@ -51,6 +54,7 @@ void RunView::Update(const HookList& hooks, double now) {
   now_ = now;
   const std::size_t before = run_.size();
   source_->Pump(*this);
+  LeaveIfTooLong();
   if (run_.size() != before) came_at_ = now;
   if (!late_answer_->empty()) answer_ = std::exchange(*late_answer_, {});
   MeasureRate(now);
@@ -60,6 +64,14 @@ void RunView::Update(const HookList& hooks, double now) {
   playhead_.Advance(passed);
   ShowTick();
   Mark(hooks);
+}
+
+// A robot may say more than there is memory for, in a second or in many days.
+void RunView::LeaveIfTooLong() {
+  if (is_left_ || !source_->is_robot() || run_.bytes() <= most_bytes_) return;
+  is_left_ = true;
+  source_->HangUp("this run takes all the memory that one may take; connect again to go on");
+  source_->Pump(*this);
 }
 
 // A record that was closed ends with the halt of the tree. What was wanted is the tick before it:

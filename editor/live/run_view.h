@@ -8,6 +8,7 @@
 #ifndef COPPICE_EDITOR_LIVE_RUN_VIEW_H_
 #define COPPICE_EDITOR_LIVE_RUN_VIEW_H_
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -26,18 +27,23 @@ enum class RunPhase : std::uint8_t {
   kConnecting,
   kLive,
   kReconnecting,
+  kLeft,  ///< it had become too long: RunView::set_most_bytes
   kLoading,
   kRecord,
   kSimulation
 };
 
-/// "connecting", "live", "reconnecting", "loading", "record",
-/// "simulation".
+/// "connecting", "live", "reconnecting", "no longer followed", "loading", "record", "simulation".
 const char* ToString(RunPhase phase);
 
 class RunView final : private LiveListener {
  public:
+  /// That the run of a robot may take; then it is followed no further.
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+
   RunView(std::unique_ptr<RunSource> source, std::shared_ptr<const NodeModels> known);
+
+  void set_most_bytes(std::size_t bytes) { most_bytes_ = bytes; }
 
   /// Takes in what has come, and moves the playhead; `now` in seconds of the editor.
   void Update(const HookList& hooks, double now);
@@ -91,6 +97,7 @@ class RunView final : private LiveListener {
   void OnEnd(const HistoryEnd& end) override { run_.OnEnd(end); }
 
   void MeasureRate(double now);
+  void LeaveIfTooLong();
   void LeaveFinalHalt();
   void ShowTick();
   void Mark(const HookList& hooks);
@@ -102,6 +109,8 @@ class RunView final : private LiveListener {
   PictureSet pictures_;
   LiveConnection connection_;
   bool was_live_ = false;
+  bool is_left_ = false;
+  std::size_t most_bytes_ = kMostBytes;
   bool was_loading_ = true;
   Run run_;
   RunPlace place_{run_};

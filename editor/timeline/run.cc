@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/frames/history_size.h"
 #include "bt_core/frames/pause_note.h"
 
 namespace coppice::editor {
@@ -11,6 +12,8 @@ namespace {
 constexpr Duration kRestart = std::chrono::seconds(1);  // on the axis
 constexpr std::size_t kFewestKeyframeWords = 16 << 10;  // between two states that are kept
 constexpr std::size_t kKeyframeWordsPerEntry = 16;      // for each node and slot of a state
+constexpr std::size_t kCopiesOfTree = 4;   // in the recording, its tracks, and what is drawn of it
+constexpr std::size_t kBytesPerWord = 12;  // in the recording, and in the tracks
 
 // The last element whose tick is at or before `tick`; there is one.
 template <class Elements>
@@ -68,6 +71,7 @@ const Recording::Section& Run::SectionAt(std::size_t tick) const {
 }
 
 void Run::OnTree(const TreeDescription& tree) {
+  bytes_ += kCopiesOfTree * BytesOf(tree);
   const auto& trees = recording_.trees();
   other_run_ = other_run_ || (!trees.empty() && trees.back().info.run != tree.info.run);
   recording_.OnTree(tree);
@@ -79,8 +83,18 @@ void Run::OnTree(const TreeDescription& tree) {
 
 void Run::OnState(const HistoryState& state) {
   if (tracks_.empty()) return;
-  recording_.OnState(state);
+  Keep(state);
   if (state.cause != HistoryState::Cause::kKeyframe || !follower_) Begin(state);
+}
+
+// Keyframes take no more than the events between them.
+void Run::Keep(const HistoryState& state) {
+  recording_.OnState(state);
+  const std::size_t bytes = BytesOf(state);
+  bytes_ += bytes;
+  const TreeDescription& tree = *tracks_.back().tracks->tree();
+  keyframe_every_ = std::max({kFewestKeyframeWords, bytes / sizeof(std::uint32_t),
+                              kKeyframeWordsPerEntry * (tree.nodes.size() + tree.slots.size())});
 }
 
 void Run::Begin(const HistoryState& state) {
@@ -92,9 +106,6 @@ void Run::Begin(const HistoryState& state) {
   }
   follower_.emplace(tracks.shape(), state);
   tracks.Begin(size(), state);
-  keyframe_every_ = std::max(
-      kFewestKeyframeWords,
-      kKeyframeWordsPerEntry * (tracks.tree()->nodes.size() + tracks.tree()->slots.size()));
   since_keyframe_ = 0;
   lost_ticks_ = 0;
 }
@@ -102,6 +113,7 @@ void Run::Begin(const HistoryState& state) {
 void Run::OnTick(const TickEvents& events) {
   if (!follower_) return;
   const std::size_t before = size();
+  bytes_ += sizeof(Recording::Tick) + kBytesPerWord * events.words.size;
   recording_.OnTick(events);
   const std::size_t tick = size() - 1;
   const Duration stood = stood_.tick == events.tick ? stood_.time : Duration(0);
@@ -119,7 +131,7 @@ void Run::OnTick(const TickEvents& events) {
 }
 
 void Run::AddKeyframe() {
-  recording_.OnState(follower_->State(HistoryState::Cause::kKeyframe));
+  Keep(follower_->State(HistoryState::Cause::kKeyframe));
   since_keyframe_ = 0;
 }
 
@@ -138,6 +150,7 @@ void Run::KeepTime(std::size_t tick) {
 }
 
 void Run::OnNote(const HistoryNote& note) {
+  bytes_ += BytesOf(note);
   recording_.OnNote(note);
   const std::optional<Pause> pause = PauseOf(note);
   if (!pause || pause->tick == 0) return;
@@ -146,6 +159,7 @@ void Run::OnNote(const HistoryNote& note) {
 }
 
 void Run::OnGap(const HistoryGap& gap) {
+  bytes_ += sizeof(gap);
   recording_.OnGap(gap);
   lost_ticks_ += gap.lost_ticks;
 }

@@ -36,6 +36,8 @@ class Run final : public HistoryHandler {
   const Recording& recording() const { return recording_; }
   /// Number of ticks.
   std::size_t size() const { return recording_.ticks().size(); }
+  /// About the memory that it takes, with what is made of it in the editor.
+  std::size_t bytes() const { return bytes_; }
   /// There is a tree with a state.
   bool has_tree() const { return follower_.has_value(); }
 
@@ -89,6 +91,7 @@ class Run final : public HistoryHandler {
 
   void KeepTime(std::size_t tick);
   void Begin(const HistoryState& state);
+  void Keep(const HistoryState& state);
   void AddKeyframe();
 
   Recording recording_;
@@ -101,6 +104,7 @@ class Run final : public HistoryHandler {
   std::uint64_t lost_ticks_ = 0;
   bool other_run_ = false;
   bool other_tree_ = false;
+  std::size_t bytes_ = 0;
   std::size_t since_keyframe_ = 0;  // words
   std::size_t keyframe_every_ = 0;
 };

@@ -121,6 +121,98 @@ class Client(unittest.TestCase):
         self.attack(b"", ping * 3000)
 
 
+def answer(header, *body):
+    parts = [b"", header + RUN, *body]
+    return b"".join(frame(part is not parts[-1], part) for part in parts)
+
+
+def boards(keys):
+    """The blackboard "Main" as MessagePack: `keys` with one byte each."""
+    pack = bytearray(b"\x81\xa4Main\xdf" + struct.pack(">I", len(keys)))
+    for key in keys:
+        pack += bytes([0xa0 | len(key)]) + key + b"\xc3"
+    return bytes(pack)
+
+
+class Groot2Robot:
+    """Knows the protocol of Groot2 alone, and answers what is asked with `answers` (by its letter,
+    each a text or what makes one of the number of the question)."""
+
+    TREE = b"""<root BTCPP_format="4"><BehaviorTree ID="Main" _fullpath="">
+        <AlwaysSuccess name="a" _uid="1"/></BehaviorTree></root>"""
+
+    def __init__(self, answers):
+        self.answers = {b"T": self.TREE, b"S": b"\1\0\2", b"B": b"\x80", b"D": b"[]",
+                        b"r": b"1000000", b"t": b"", **answers}
+        self.asked = {}
+        self.door = socket.create_server(("127.0.0.1", 0))
+        self.port = self.door.getsockname()[1]
+        threading.Thread(target=self.serve, daemon=True).start()
+
+    def serve(self):
+        while True:
+            try:
+                connection, _ = self.door.accept()
+            except OSError:
+                return
+            threading.Thread(target=self.talk, args=(connection,), daemon=True).start()
+
+    def talk(self, connection):
+        try:
+            connection.sendall(GREETING + READY)
+            stream = connection.makefile("rb")
+            stream.read(len(GREETING))
+            while True:
+                flags = stream.read(1)[0]
+                size = struct.unpack(">Q", stream.read(8))[0] if flags & 2 else stream.read(1)[0]
+                body = stream.read(size)
+                if not flags & 4 and len(body) == 6 and body[:1] == b"\2":
+                    connection.sendall(self.reply(body))
+        except (OSError, IndexError, struct.error):
+            connection.close()
+
+    def reply(self, header):
+        what = header[1:2]
+        number = self.asked[what] = self.asked.get(what, 0) + 1
+        if what not in self.answers:
+            return frame(1, b"") + frame(1, b"error") + frame(0, b"Request not recognized")
+        body = self.answers[what]
+        return answer(header, body(number) if callable(body) else body)
+
+
+class Groot2(unittest.TestCase):
+    def watch(self, answers, letter, times):
+        """With `coppice live`, until that has been asked so often."""
+        robot = Groot2Robot(answers)
+        self.addCleanup(robot.door.close)
+        environment = dict(os.environ)
+        environment.pop("COPPICE_LIVE_TOKEN", None)
+        process = subprocess.Popen([PROGRAM, "live", "127.0.0.1:%d" % robot.port],
+                                   env=environment, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        try:
+            end = time.monotonic() + PATIENCE
+            while robot.asked.get(letter, 0) < times:
+                self.assertLess(time.monotonic(), end, "it asks: %s" % robot.asked)
+                self.assertIsNone(process.poll())
+                time.sleep(0.05)
+            self.assertLess(memory_of(process), MEMORY)
+        finally:
+            process.kill()
+            process.wait(timeout=PATIENCE)
+
+    def test_other_keys_again_and_again_are_not_kept_without_end(self):
+        make = lambda number: boards([b"%04x%05x" % (number, i) for i in range(90_000)])
+        self.watch({b"B": make}, b"B", 9)
+
+    def test_more_values_than_there_is_memory_for_are_no_blackboard(self):
+        nils = b"\x81\xa4Main\x81\xa1k\xdd" + struct.pack(">I", 15_000_000) + b"\xc0" * 15_000_000
+        self.watch({b"B": nils}, b"B", 2)
+
+    def test_breakpoints_that_are_none_by_the_million_are_none(self):
+        self.watch({b"D": b"[" + b"[]," * 5_000_000 + b"0]"}, b"D", 2)
+
+
 class Editor(unittest.TestCase):
     def test_many_robots_that_send_the_largest_messages_take_no_more_than_one(self):
         if not HAS_EDITOR:

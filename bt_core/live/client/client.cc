@@ -19,6 +19,7 @@ namespace {
 
 constexpr Duration kRetryPause = std::chrono::milliseconds(100);
 constexpr Duration kPatience = std::chrono::milliseconds(1000);  // then people are told
+constexpr std::size_t kLongestProblem = 1000;                    // bytes, of what a robot says
 constexpr int kMessagesPerRound = 64;                            // then commands have their turn
 
 Duration Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
@@ -139,7 +140,8 @@ class LiveClient::Loop {
   }
 
   // Each problem once.
-  void Tell(const std::string& problem) {
+  void Tell(std::string problem) {
+    if (problem.size() > kLongestProblem) problem = problem.substr(0, kLongestProblem) + "...";
     if (problem == told_) return;
     told_ = problem;
     LiveConnection connection;

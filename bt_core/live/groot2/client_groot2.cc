@@ -12,6 +12,7 @@ namespace {
 constexpr Duration kPatience = std::chrono::milliseconds(2000);
 constexpr std::size_t kMaxAnswer = 16 << 20;  // bytes: read, it takes many times of that
 constexpr char kVersion = 2;
+constexpr std::size_t kMaxHookPaths = 4 << 20;  // bytes, of the breakpoints of others
 constexpr std::size_t kRequestHeader = 6;
 constexpr std::size_t kReplyHeader = 22;
 
@@ -120,9 +121,12 @@ void ClientGroot2::TakeHooks(const std::vector<groot2::ListedHook>& listed) {
       return known.IsAt(hook.uid, hook.hook.position);
     });
   };
+  std::size_t path_bytes = 0;
   for (const groot2::ListedHook& there : listed) {
     const NodeIndex node = history_.tree().Find(there.uid);
     if (node == kNoNode || find(hooks_, there) != hooks_.end()) continue;
+    path_bytes += history_.tree().description.nodes[node].path.size();
+    if (path_bytes > kMaxHookPaths) break;
     const auto known = find(before, there);
     hooks_.push_back(known != before.end() ? *known : KnownHook{++last_hook_, there.uid, {}, true});
     hooks_.back().hook = there.hook;

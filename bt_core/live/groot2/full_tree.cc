@@ -17,7 +17,7 @@ class TreeWriter {
     for (const TreeInstance& tree : program.trees) instances_[tree.node] = &tree;
   }
 
-  std::string Write() {
+  std::optional<std::string> Write() {
     xml_ = "<root BTCPP_format=\"4\">\n";
     for (const TreeInstance& tree : program_.trees) {
       xml_ += "  <BehaviorTree";
@@ -27,12 +27,16 @@ class TreeWriter {
       Node(tree.root, 4);
       xml_ += "  </BehaviorTree>\n";
     }
-    xml_ += WriteModelsElement(*program_.registry);
-    return xml_ + "</root>\n";
+    if (is_too_long()) return std::nullopt;
+    xml_ += WriteModelsElement(*program_.registry) + "</root>\n";
+    return is_too_long() ? std::nullopt : std::optional(std::move(xml_));
   }
 
  private:
+  bool is_too_long() const { return is_too_long_ || xml_.size() > kLongestFullTree; }
+
   void Node(NodeIndex node, std::size_t indent) {
+    if (is_too_long()) return;
     xml_.append(indent, ' ');
     if (program_.nodes[node].type == NodeType::kSubTree) {
       SubTree(node);
@@ -72,7 +76,12 @@ class TreeWriter {
     }
   }
 
+  // One that is much too long is not written first.
   void Attribute(std::string_view name, std::string_view value) {
+    if (value.size() > kLongestFullTree - std::min(kLongestFullTree, xml_.size())) {
+      is_too_long_ = true;
+      return;
+    }
     xml_ += " ";
     xml_ += name;
     xml_ += "=\"" + EscapeXml(value) + "\"";
@@ -81,6 +90,7 @@ class TreeWriter {
   const Program& program_;
   std::unordered_map<NodeIndex, const TreeInstance*> instances_;  // by the SubTree node
   std::string xml_;
+  bool is_too_long_ = false;
 };
 
 void AppendInstance(const Program& program, NodeIndex node, std::vector<NodeIndex>& out) {
@@ -94,7 +104,9 @@ void AppendInstance(const Program& program, NodeIndex node, std::vector<NodeInde
 
 }  // namespace
 
-std::string WriteFullTree(const Program& program) { return TreeWriter(program).Write(); }
+std::optional<std::string> WriteFullTree(const Program& program) {
+  return TreeWriter(program).Write();
+}
 
 std::vector<NodeIndex> NodesByInstance(const Program& program) {
   std::vector<NodeIndex> nodes;

@@ -72,7 +72,9 @@ Outcome Groot2History::SetTree(const RunId& id, std::string xml) {
   recording_.reset();
   shown_.clear();
   slots_.clear();
+  name_bytes_ = 0;
   values_.clear();
+  value_bytes_ = 0;
   words_.Clear();
   tick_ = 0;
   return {};
@@ -200,42 +202,55 @@ Outcome Groot2History::AddBoards(std::string_view message_pack, Time now) {
   const nlohmann::json all = ReadLimitedMessagePack(message_pack);
   if (all.is_discarded()) return Problem{"the robot sent a blackboard that cannot be read"};
   if (!all.is_object()) return {};  // there are no values
-  std::vector<std::pair<std::string, std::string>> keys;
-  std::vector<std::string> values;
+  const std::size_t slots_before = values_.size();
+  std::vector<SlotIndex> changed;
   for (const auto& [board, entries] : all.items()) {
     if (!entries.is_object()) continue;
     for (const auto& [key, value] : entries.items()) {
-      keys.emplace_back(board, key);
-      values.push_back(ValueBytesOf(value));
+      const std::optional<SlotIndex> slot = SlotOf(board, key);
+      if (slot && SetValue(*slot, ValueBytesOf(value))) changed.push_back(*slot);
     }
   }
-  const bool has_new_slots = AddSlots(keys);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const SlotIndex slot = slots_[keys[i]];
-    if (values_[slot] == values[i]) continue;
-    values_[slot] = std::move(values[i]);
-    if (follower_ && !has_new_slots) words_.Add(EventCode::kWrite, slot, kNoNode, values_[slot]);
-  }
   if (!follower_) return {};
-  if (has_new_slots) {
+  if (values_.size() != slots_before) {
     listener_.OnTree(tree_.description);
     TellState(HistoryState::Cause::kJump, now);
-  } else if (!words_.empty()) {
-    listener_.OnTick({tick_, now, Duration(0), Status::kIdle, true, words_.words()});
-    words_.Clear();
+    return {};
   }
+  if (changed.empty()) return {};
+  for (const SlotIndex slot : changed) {
+    words_.Add(EventCode::kWrite, slot, kNoNode, values_[slot]);
+  }
+  listener_.OnTick({tick_, now, Duration(0), Status::kIdle, true, words_.words()});
+  words_.Clear();
   return {};
 }
 
-// True if there were new ones: the robot makes keys while it runs.
-bool Groot2History::AddSlots(const std::vector<std::pair<std::string, std::string>>& keys) {
-  const std::size_t before = slots_.size();
-  for (const auto& key : keys) {
-    if (!slots_.emplace(key, static_cast<SlotIndex>(values_.size())).second) continue;
-    tree_.description.slots.push_back({key.first, key.second, "any", true});
-    values_.emplace_back();
+// The robot makes keys while it runs. Nothing for one that there is no room for.
+std::optional<SlotIndex> Groot2History::SlotOf(const std::string& board, const std::string& key) {
+  const auto keys = slots_.find(board);
+  if (keys != slots_.end()) {
+    const auto at = keys->second.find(key);
+    if (at != keys->second.end()) return at->second;
   }
-  return slots_.size() != before;
+  const std::size_t bytes = board.size() + key.size();
+  if (values_.size() >= kMostKeys || name_bytes_ + bytes > kMostNameBytes) return std::nullopt;
+  name_bytes_ += bytes;
+  const auto slot = static_cast<SlotIndex>(values_.size());
+  slots_[board].emplace(key, slot);
+  tree_.description.slots.push_back({board, key, "any", true});
+  values_.emplace_back();
+  return slot;
+}
+
+// True if it is another one. What is too long beside the others is not known.
+bool Groot2History::SetValue(SlotIndex slot, std::string value) {
+  std::string& known = values_[slot];
+  if (value_bytes_ - known.size() + value.size() > kMostValueBytes) value.clear();
+  if (known == value) return false;
+  value_bytes_ += value.size() - known.size();
+  known = std::move(value);
+  return true;
 }
 
 }  // namespace coppice

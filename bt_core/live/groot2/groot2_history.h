@@ -6,6 +6,7 @@
 #ifndef COPPICE_BT_CORE_LIVE_GROOT2_GROOT2_HISTORY_H_
 #define COPPICE_BT_CORE_LIVE_GROOT2_GROOT2_HISTORY_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -24,6 +25,10 @@ namespace coppice {
 
 class Groot2History {
  public:
+  static constexpr std::size_t kMostKeys = 65536;
+  static constexpr std::size_t kMostNameBytes = 4 << 20;    ///< of keys, each with its board
+  static constexpr std::size_t kMostValueBytes = 16 << 20;  ///< of all values: as long as an answer
+
   /// `endpoint`: for messages and as the name of the document.
   Groot2History(LiveListener& listener, std::string endpoint)
       : listener_(listener), endpoint_(std::move(endpoint)) {}
@@ -37,6 +42,7 @@ class Groot2History {
   Outcome SetRecording(std::string_view microseconds);
   Outcome AddTransitions(std::string_view bytes);
   Outcome AddStatuses(std::string_view bytes, Time now);
+  /// Keeps the first kMostKeys keys with their values, as far as there is room for them.
   Outcome AddBoards(std::string_view message_pack, Time now);
 
   /// Of the present tree; zeros before the first.
@@ -58,7 +64,8 @@ class Groot2History {
   void TellLoss(const std::vector<Status>& statuses, Time now);
   void AddEvent(NodeIndex node, Status status);
   void Correct(const std::vector<Status>& statuses, Time now);
-  bool AddSlots(const std::vector<std::pair<std::string, std::string>>& keys);
+  std::optional<SlotIndex> SlotOf(const std::string& board, const std::string& key);
+  bool SetValue(SlotIndex slot, std::string value);
 
   LiveListener& listener_;
   const std::string endpoint_;
@@ -67,9 +74,11 @@ class Groot2History {
   std::optional<Time> recording_;  // what transitions are counted from
   bool has_lost_ = false;          // transitions, since the last statuses
   std::optional<StatusFollower> follower_;
-  std::vector<Status> shown_;                                       // in the last answer
-  std::map<std::pair<std::string, std::string>, SlotIndex> slots_;  // by board and key
+  std::vector<Status> shown_;                                      // in the last answer
+  std::map<std::string, std::map<std::string, SlotIndex>> slots_;  // by board and key
+  std::size_t name_bytes_ = 0;                                     // of all slots
   std::vector<std::string> values_;
+  std::size_t value_bytes_ = 0;
   EventWriter words_;
   std::uint64_t tick_ = 0;
 };

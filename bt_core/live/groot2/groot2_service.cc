@@ -101,13 +101,17 @@ Expected<Groot2Service::Payload> Groot2Service::Control(const Request& request) 
 }
 
 // Written once for each program: of 20 000 nodes that takes 30 ms.
-const std::string& Groot2Service::FullTree() {
+Expected<Groot2Service::Payload> Groot2Service::FullTree() {
   const std::shared_ptr<const Program> program = tree_->program();
   if (program != written_program_) {
     full_tree_ = WriteFullTree(*program);
     written_program_ = program;
   }
-  return full_tree_;
+  if (!full_tree_) {
+    return Problem{"the text of this tree is longer than " +
+                   std::to_string(kLongestFullTree >> 20) + " MiB with all its SubTrees"};
+  }
+  return Payload(full_tree_);
 }
 
 Groot2Service::Payload Groot2Service::ToggleRecording(std::string_view what) {

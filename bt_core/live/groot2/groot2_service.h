@@ -39,7 +39,7 @@ class Groot2Service {
   static Expected<Payload> Done(const Outcome& outcome);  ///< without a payload
   Expected<Payload> Control(const groot2::Request& request);
   Payload ToggleRecording(std::string_view what);
-  const std::string& FullTree();
+  Expected<Payload> FullTree();
   std::string Statuses() const;
   std::string Boards(std::string_view names) const;
 
@@ -50,7 +50,7 @@ class Groot2Service {
   bool silenced_ = false;  // the hooks are disabled because nobody asked
   std::uint32_t notifications_ = 0;
   std::shared_ptr<const Program> written_program_;  // as full_tree_
-  std::string full_tree_;
+  std::optional<std::string> full_tree_;
 };
 
 }  // namespace coppice

@@ -10,6 +10,7 @@ Color RunColor(const Ui& ui, const RunView& run) {
     case RunPhase::kLive:
       return ui.palette.success;
     case RunPhase::kConnecting:
+    case RunPhase::kLeft:
     case RunPhase::kLoading:
     case RunPhase::kRecord:
       return ui.palette.accent;

@@ -185,7 +185,7 @@ std::string ToText(const Journal& journal) {
 
 Expected<Journal> JournalFromText(const std::string& text) {
   try {
-    return FromJson(ParseLimitedJson(text));
+    return FromJson(ParseLimitedJson(text, kMostOwnJsonValues));
   } catch (const std::exception& error) {
     return Problem{std::string("it is no journal of a deployment: ") + error.what()};
   }

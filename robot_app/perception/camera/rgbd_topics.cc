@@ -92,8 +92,9 @@ Expected<RgbdMoment> RgbdTopics::Take() {
   if (!lens) return Problem{lens.problem()};
   moment.lens = *lens;
   moment.colour = *std::move(picture);
-  const bool has_depth =
-      depth_ && std::abs((depth_->header.stamp - moment.header.stamp).toSec()) <= kSameMoment;
+  // Not as a ros::Duration, which throws where it is longer than 68 years.
+  const double later = depth_ ? depth_->header.stamp.toSec() - moment.header.stamp.toSec() : 0;
+  const bool has_depth = depth_ && std::abs(later) <= kSameMoment;
   if (has_depth) {
     auto depth = DepthOf(*depth_, moment.colour);
     if (!depth) return Problem{depth.problem()};

@@ -71,7 +71,7 @@ std::string CsvHeader(const MessageLayout& layout) {
 Expected<std::string> CsvLine(const MessageLayout& layout, const StoredMessage& message) {
   try {
     std::string line = message.time + "," + std::to_string(message.stamp);
-    AddCells(layout, layout.messages[0], ParseLimitedJson(message.json), line);
+    AddCells(layout, layout.messages[0], ParseLimitedJson(message.json, kMostOwnJsonValues), line);
     return line + "\n";
   } catch (const std::exception& error) {
     return Problem{message.type->name + ": " + error.what()};

@@ -161,7 +161,7 @@ class Builder {
 Expected<MessageBytes> JsonToMessage(const MessageLayout& layout, std::string_view text,
                                      const ReadKept& read) {
   try {
-    return Builder(layout, read).Build(ParseLimitedJson(text));
+    return Builder(layout, read).Build(ParseLimitedJson(text, kMostOwnJsonValues));
   } catch (const std::exception& error) {
     return Problem{layout.messages[0].type + ": " + error.what()};
   }

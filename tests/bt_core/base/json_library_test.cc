@@ -33,6 +33,31 @@ TEST(LimitedJson, RefusesWhatIsNestedTooDeep) {
   EXPECT_THROW(ParseLimitedJson(std::string(1 << 20, '[')), std::invalid_argument);
 }
 
+// Of N zeros.
+std::string Array(std::size_t count) {
+  std::string text = "[0";
+  for (std::size_t i = 1; i < count; ++i) text += ",0";
+  return text + "]";
+}
+
+TEST(LimitedJson, RefusesMoreValuesThanThereIsMemoryFor) {
+  EXPECT_EQ(ParseLimitedJson(Array(kMostJsonValues - 1)).size(), kMostJsonValues - 1);
+  EXPECT_THROW(ParseLimitedJson(Array(kMostJsonValues)), std::invalid_argument);
+  EXPECT_EQ(ParseLimitedJson(Array(kMostJsonValues), kMostOwnJsonValues).size(), kMostJsonValues);
+  EXPECT_THROW(ParseLimitedJson(R"({"a": [{"b": 1}, 2]})", 4), std::invalid_argument);
+  EXPECT_EQ(ParseLimitedJson(R"({"a": [{"b": 1}, 2]})", 5).size(), 1u);
+}
+
+TEST(LimitedJson, RefusesMessagePackOfMoreValues) {
+  const auto nils = [](std::uint32_t count) {
+    std::string bytes = "\xdd";
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(count >> shift);
+    return bytes + std::string(count, '\xc0');
+  };
+  EXPECT_EQ(ReadLimitedMessagePack(nils(kMostJsonValues - 1)).size(), kMostJsonValues - 1);
+  EXPECT_TRUE(ReadLimitedMessagePack(nils(kMostJsonValues)).is_discarded());
+}
+
 TEST(LimitedJson, ReadsMessagePackThatIsNotNestedTooDeep) {
   EXPECT_EQ(ReadLimitedMessagePack("\x81\xa1k\x93\x01\xc0\xa1x"),
             nlohmann::json({{"k", {1, nullptr, "x"}}}));

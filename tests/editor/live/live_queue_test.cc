@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <thread>
 
@@ -76,6 +77,34 @@ TEST(LiveQueueTest, APictureOfAConnectionThatIsGoneIsNotHandedOn) {
   Teller teller;
   queue.Deliver(teller);
   EXPECT_EQ(teller.told, "gone ears=new ");
+}
+
+TEST(LiveQueueTest, WhoTellsFasterThanTheOtherTakesItWaits) {
+  constexpr std::uint64_t kTicks = 1000;
+  LiveQueue queue(nullptr, 1000);  // bytes: room for a few
+  const auto tell = [&queue] {
+    for (std::uint64_t i = 1; i <= kTicks; ++i) {
+      queue.OnTick({i, Time{}, Duration(0), Status::kRunning, true, {}});
+    }
+  };
+  struct Counter : LiveListener {
+    void OnTree(const TreeDescription&) override {}
+    void OnState(const HistoryState&) override {}
+    void OnTick(const TickEvents& events) override { last = events.tick; }
+    std::uint64_t last = 0;
+  } counter;
+  std::thread teller(tell);
+  std::uint64_t most = 0;
+  while (counter.last < kTicks) {
+    const std::uint64_t before = counter.last;
+    queue.Deliver(counter);
+    most = std::max(most, counter.last - before);
+  }
+  teller.join();
+  EXPECT_LT(most, 100U);
+  std::thread left(tell);  // nobody takes it any more
+  queue.StopWaiting();
+  left.join();
 }
 
 TEST(LiveQueueTest, CallsTheHandlersOfRepliesWhenItDelivers) {

@@ -146,6 +146,26 @@ TEST_F(RunViewTest, AForcedResultIsInTheHistory) {
   EXPECT_TRUE(view->state().states[1].marks & kFaultMark);
 }
 
+TEST_F(RunViewTest, ARunThatHasBecomeTooLongIsFollowedNoFurther) {
+  LiveRobot robot(kTrees);
+  const auto view = Open(robot.endpoint());
+  ASSERT_TRUE(Await(
+      *view, [&] { return view->run().size() >= 1; }, &robot));
+  view->set_most_bytes(view->run().bytes() + 1000);
+  ASSERT_TRUE(Await(
+      *view, [&] { return view->phase() == RunPhase::kLeft; }, &robot));
+  EXPECT_NE(view->connection().problem.find("connect again"), std::string::npos);
+  const std::size_t size = view->run().size();
+  robot.Tick();
+  view->Update(hooks_, now_);
+  EXPECT_EQ(view->run().size(), size);
+  EXPECT_EQ(view->state().states[0].status, Status::kSuccess) << "what is known stays";
+  view->Send(MakeCommand(LiveCommand::Kind::kPause));
+  std::string answer;
+  ASSERT_TRUE(Await(*view, [&] { return !(answer = view->TakeAnswer()).empty(); }));
+  EXPECT_NE(answer.find("connect again"), std::string::npos) << answer;
+}
+
 TEST_F(RunViewTest, ARefusedCommandSaysWhy) {
   LiveRobot robot(kTrees);
   const auto view = Open(robot.endpoint());

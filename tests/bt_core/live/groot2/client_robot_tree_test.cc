@@ -20,7 +20,7 @@ RobotTree Read(const std::string& xml, Diagnostics& diagnostics) {
 TEST(ClientRobotTree, IsTheTreeThatTheRobotRuns) {
   const auto program = WatchedProgram();
   Diagnostics diagnostics;
-  const RobotTree tree = Read(WriteFullTree(*program), diagnostics);
+  const RobotTree tree = Read(*WriteFullTree(*program), diagnostics);
   ASSERT_EQ(diagnostics.ToString(), "");
   ASSERT_EQ(tree.description.nodes.size(), program->nodes.size());
   for (NodeIndex i{0}; i < program->nodes.size(); ++i) {

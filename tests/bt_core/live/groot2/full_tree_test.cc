@@ -31,7 +31,7 @@ std::map<std::string, std::string> Attributes(const Document& document, const El
 
 TEST(FullTree, IsXmlThatReadsBack) {
   const auto program = WatchedProgram();
-  const auto document = Parse(WriteFullTree(*program));
+  const auto document = Parse(*WriteFullTree(*program));
   ASSERT_TRUE(document);
   std::vector<std::string> trees;
   std::set<std::string> uids;
@@ -46,7 +46,7 @@ TEST(FullTree, IsXmlThatReadsBack) {
 }
 
 TEST(FullTree, WritesANodeWithNumberNameAndPorts) {
-  const auto document = Parse(WriteFullTree(*WatchedProgram()));
+  const auto document = Parse(*WriteFullTree(*WatchedProgram()));
   for (const Element& element : document->elements()) {
     const auto attributes = Attributes(*document, element);
     if (element.tag == "ReactiveSequence") {
@@ -68,7 +68,7 @@ TEST(FullTree, WritesANodeWithNumberNameAndPorts) {
 
 TEST(FullTree, EndsWithTheModelsOfAllNodes) {
   const auto program = WatchedProgram();
-  const auto document = Parse(WriteFullTree(*program));
+  const auto document = Parse(*WriteFullTree(*program));
   std::set<std::string> models;
   for (const Element& element : document->elements()) {
     if (element.parent == kNoElement) continue;
@@ -83,12 +83,27 @@ TEST(FullTree, ListsNodesInstanceByInstance) {
   EXPECT_THAT(NodesByInstance(*WatchedProgram()), ElementsAre(0, 1, 2, 3, 5, 4));
 }
 
+TEST(FullTree, IsNothingWhereItWouldBeTooLong) {
+  const auto tree = [](std::size_t copies) {
+    std::string text = R"(<root BTCPP_format="4" main_tree_to_execute="A">
+      <BehaviorTree ID="B"><Sleep msec=")" +
+                       std::string(20'000, '0') + R"(1"/></BehaviorTree>
+      <BehaviorTree ID="A"><Sequence>)";
+    for (std::size_t i = 0; i < copies; ++i) text += R"(<SubTree ID="B"/>)";
+    return WriteFullTree(*CompileText(text + "</Sequence></BehaviorTree></root>"));
+  };
+  const auto short_one = tree(100);
+  ASSERT_TRUE(short_one);
+  EXPECT_GT(short_one->size(), 2'000'000U);
+  EXPECT_FALSE(tree(1000));
+}
+
 TEST(FullTree, TakesASubTreeAtTheRoot) {
   const auto program = CompileText(R"(<root BTCPP_format="4" main_tree_to_execute="A">
     <BehaviorTree ID="A"><SubTree ID="B"/></BehaviorTree>
     <BehaviorTree ID="B"><AlwaysSuccess/></BehaviorTree></root>)");
   EXPECT_THAT(NodesByInstance(*program), ElementsAre(0, 1));
-  EXPECT_THAT(WriteFullTree(*program),
+  EXPECT_THAT(*WriteFullTree(*program),
               ::testing::HasSubstr(R"(<SubTree ID="B" _fullpath="B::1" _uid="1"/>)"));
 }
 

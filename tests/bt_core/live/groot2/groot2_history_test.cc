@@ -46,6 +46,11 @@ std::string Statuses(int p, int a, int b) {
   return bytes;
 }
 
+std::string Pack(const nlohmann::json& json) {
+  const auto bytes = nlohmann::json::to_msgpack(json);
+  return std::string(bytes.begin(), bytes.end());
+}
+
 class Groot2HistoryTest : public ::testing::Test {
  protected:
   void Begin(bool records = true) {
@@ -114,19 +119,48 @@ TEST_F(Groot2HistoryTest, ReportsAGapWhenTheRobotMayHaveDroppedTransitions) {
 
 TEST_F(Groot2HistoryTest, ValuesAreWritesAndNewKeysAreAnotherDescription) {
   Begin();
-  const auto pack = [](const nlohmann::json& json) {
-    const auto bytes = nlohmann::json::to_msgpack(json);
-    return std::string(bytes.begin(), bytes.end());
-  };
-  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 1}, {"x", 0.5}}}}), Time(2s)).problem(), "");
+  EXPECT_EQ(history_.AddBoards(Pack({{"Main", {{"n", 1}, {"x", 0.5}}}}), Time(2s)).problem(), "");
   EXPECT_THAT(watcher_.watched().trees, SizeIs(2));
-  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 2}, {"x", 0.5}}}}), Time(3s)).problem(), "");
+  EXPECT_EQ(history_.AddBoards(Pack({{"Main", {{"n", 2}, {"x", 0.5}}}}), Time(3s)).problem(), "");
   const Watched watched = watcher_.watched();
   EXPECT_THAT(watched.trees, SizeIs(2));
   ASSERT_THAT(watched.values, SizeIs(2));
   EXPECT_EQ(PrintValueBytes(watched.values[0]), "2");
   EXPECT_EQ(PrintValueBytes(watched.values[1]), "0.5");
-  EXPECT_EQ(history_.AddBoards(pack(nullptr), Time(3s)).problem(), "");
+  EXPECT_EQ(history_.AddBoards(Pack(nullptr), Time(3s)).problem(), "");
+}
+
+TEST_F(Groot2HistoryTest, KeepsTheFirstKeysOfARobotThatMakesThemWithoutEnd) {
+  Begin();
+  for (int round = 0; round < 4; ++round) {
+    nlohmann::json board;
+    for (int i = 0; i < 20'000; ++i) {
+      board[std::to_string(round) + "/" + std::to_string(i)] = true;
+    }
+    ASSERT_EQ(history_.AddBoards(Pack({{"Main", board}}), Time(2s)).problem(), "");
+  }
+  EXPECT_THAT(watcher_.watched().values, SizeIs(Groot2History::kMostKeys));
+  const std::string name(1 << 20, 'n');
+  for (char board = 'a'; board <= 'z'; ++board) {
+    const std::string long_name = name + board;
+    ASSERT_EQ(history_.AddBoards(Pack({{long_name, {{"k", 1}}}}), Time(3s)).problem(), "");
+  }
+  EXPECT_THAT(watcher_.watched().values, SizeIs(Groot2History::kMostKeys));
+}
+
+TEST_F(Groot2HistoryTest, KeepsNoMoreValuesThanAnAnswerCanHold) {
+  Begin();
+  const std::string large(10 << 20, 'x');
+  ASSERT_EQ(history_.AddBoards(Pack({{"Main", {{"a", large}}}}), Time(2s)).problem(), "");
+  ASSERT_EQ(history_.AddBoards(Pack({{"Main", {{"b", large}, {"c", 1}}}}), Time(2s)).problem(), "");
+  Watched watched = watcher_.watched();
+  ASSERT_THAT(watched.values, SizeIs(3));
+  EXPECT_GT(watched.values[0].size(), large.size());
+  EXPECT_THAT(watched.values[1], IsEmpty()) << "there is no room for it";
+  EXPECT_EQ(PrintValueBytes(watched.values[2]), "1");
+  ASSERT_EQ(history_.AddBoards(Pack({{"Main", {{"a", 1}}}}), Time(3s)).problem(), "");
+  ASSERT_EQ(history_.AddBoards(Pack({{"Main", {{"b", large}}}}), Time(3s)).problem(), "");
+  EXPECT_GT(watcher_.watched().values[1].size(), large.size());
 }
 
 TEST_F(Groot2HistoryTest, RefusesWhatCannotBeRead) {
