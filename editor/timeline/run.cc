@@ -14,6 +14,7 @@ constexpr std::size_t kFewestKeyframeWords = 16 << 10;  // between two states th
 constexpr std::size_t kKeyframeWordsPerEntry = 16;      // for each node and slot of a state
 constexpr std::size_t kCopiesOfTree = 4;   // in the recording, its tracks, and what is drawn of it
 constexpr std::size_t kBytesPerWord = 12;  // in the recording, and in the tracks
+constexpr std::size_t kRoom = 2;           // of what grows, as much again is free
 
 // The last element whose tick is at or before `tick`; there is one.
 template <class Elements>
@@ -113,7 +114,7 @@ void Run::Begin(const HistoryState& state) {
 void Run::OnTick(const TickEvents& events) {
   if (!follower_) return;
   const std::size_t before = size();
-  bytes_ += sizeof(Recording::Tick) + kBytesPerWord * events.words.size;
+  bytes_ += kRoom * (sizeof(Recording::Tick) + kBytesPerWord * events.words.size);
   recording_.OnTick(events);
   const std::size_t tick = size() - 1;
   const Duration stood = stood_.tick == events.tick ? stood_.time : Duration(0);
