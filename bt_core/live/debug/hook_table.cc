@@ -8,6 +8,8 @@
 namespace coppice {
 namespace {
 
+constexpr std::size_t kShownPath = 200;  // bytes, of a hook that there is no room for
+
 // Wrong in any tree.
 Outcome CheckAnywhere(const Hook& hook) {
   if (hook.path.empty() && hook.node == kNoNode) return Problem{"a hook needs a node or a path"};
@@ -37,6 +39,7 @@ Expected<HookAnswer> HookTable::Add(const Hook& hook, OwnerId owner) {
   entry.info.hook = hook;
   Expected<HookAnswer> answer = Resolve(entry);
   if (!answer) return answer;
+  if (const Outcome room = CheckRoom(entry); !room) return Problem{room.problem()};
   ++last_id_;
   entries_.push_back(std::move(entry));
   RebuildPlaces();
@@ -53,6 +56,7 @@ Expected<HookAnswer> HookTable::Change(HookId id, const Hook& hook) {
   entry.info.hook = hook;
   Expected<HookAnswer> answer = Resolve(entry);
   if (!answer) return answer;
+  if (const Outcome room = CheckRoom(entry); !room) return Problem{room.problem()};
   *old = std::move(entry);
   RebuildPlaces();
   return answer;
@@ -73,6 +77,11 @@ void HookTable::SetProgram(std::shared_ptr<const Program> program) {
     if (hook.path.empty()) hook.path = old->Path(std::exchange(hook.node, kNoNode));
     entry.delayed.clear();
     entry.info.problem = Resolve(entry).problem();
+    if (const Outcome room = CheckRoom(entry); !room) {
+      entry.info.nodes.clear();
+      entry.info.problem = room.problem();
+      hook.path.resize(std::min(hook.path.size(), kShownPath));
+    }
   }
   RebuildPlaces();
 }
@@ -120,6 +129,24 @@ Outcome HookTable::Check(const Hook& hook) const {
   if (hook.path.empty() && hook.node >= nodes) {
     return Problem{"there is no node " + std::to_string(hook.node) +
                    "; the tree has the nodes 0 to " + std::to_string(nodes - 1)};
+  }
+  return {};
+}
+
+// A path may mean each node of a large tree, and the list of all hooks is told in one answer.
+Outcome HookTable::CheckRoom(const Entry& entry) const {
+  const auto text_of = [](const Hook& hook) { return hook.path.size() + hook.condition.size(); };
+  std::size_t text = text_of(entry.info.hook);
+  std::size_t places = entry.info.nodes.size();
+  for (const Entry& other : entries_) {
+    if (other.info.id == entry.info.id) continue;
+    text += text_of(other.info.hook);
+    places += other.info.nodes.size();
+  }
+  if (text > kMaxTextBytes) return Problem{"the paths and conditions of all hooks are too long"};
+  if (places > kMaxPlaces) {
+    return Problem{"all hooks together would be at more than " + std::to_string(kMaxPlaces) +
+                   " nodes"};
   }
   return {};
 }

@@ -18,6 +18,8 @@ class HookTable {
  public:
   /// More hooks are refused.
   static constexpr std::size_t kMaxHooks = 4096;
+  static constexpr std::size_t kMaxTextBytes = 1 << 20;  ///< of their paths and conditions
+  static constexpr std::size_t kMaxPlaces = 2'000'000;   ///< nodes of all hooks together
 
   /// A node that is delayed now.
   struct Delayed {
@@ -55,6 +57,7 @@ class HookTable {
 
  private:
   Outcome Check(const Hook& hook) const;
+  Outcome CheckRoom(const Entry& entry) const;
   Expected<HookAnswer> Resolve(Entry& entry) const;
   void RebuildPlaces();
 

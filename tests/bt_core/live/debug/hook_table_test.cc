@@ -123,6 +123,32 @@ TEST_F(HookTableTest, RefusesMoreHooksThanItsLimit) {
   EXPECT_FALSE(table_.Add(At(NodeIndex{1}), 0).ok());
 }
 
+TEST_F(HookTableTest, RefusesTextsThatAreTooLongTogether) {
+  const std::string half(HookTable::kMaxTextBytes / 2, 'x');
+  const HookId first = table_.Add(AtPath(half), 0)->id;
+  ASSERT_TRUE(table_.Add(AtPath(half.substr(2)), 0));
+  EXPECT_THAT(table_.Add(AtPath("abc"), 0).problem(), HasSubstr("too long"));
+  EXPECT_TRUE(table_.Change(first, AtPath(half)));
+  EXPECT_THAT(table_.Change(first, AtPath(half + "abc")).problem(), HasSubstr("too long"));
+  EXPECT_EQ(table_.Find(first)->info.hook.path, half);
+}
+
+TEST_F(HookTableTest, RefusesToBeAtMoreNodesThanItsLimit) {
+  constexpr std::size_t kNodes = 100'000;
+  std::string leaves;
+  for (std::size_t i = 0; i < kNodes; ++i) leaves += "<Leaf/>";
+  const Stage large(Main("<Sequence>" + leaves + "</Sequence>"));
+  HookTable table(large.program);
+  for (std::size_t i = 0; i < HookTable::kMaxPlaces / kNodes; ++i) {
+    ASSERT_TRUE(table.Add(AtPath("Leaf"), 0));
+  }
+  EXPECT_THAT(table.Add(AtPath("Leaf"), 0).problem(), HasSubstr("nodes"));
+  EXPECT_THAT(table.Add(At(NodeIndex{1}), 0).problem(), HasSubstr("nodes"));
+  Stage small(Main("<Leaf/>"));
+  table.SetProgram(small.program);
+  EXPECT_TRUE(table.Add(At(NodeIndex{0}), 0));
+}
+
 TEST_F(HookTableTest, FollowsASwapOfTheTree) {
   Hook conditional = AtPath("c");
   conditional.condition = "fuel > 1";
