@@ -19,6 +19,7 @@ import zmq
 TOKEN = "0123456789abcdef-attack"
 PATIENCE = 20  # s, for what must happen
 MEMORY = 256 << 20  # bytes: no more may ever be taken
+SLOWNESS = 1  # of a program that is watched by a sanitizer: times as long, and as large
 
 TREE = """<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence name="top">
   <Sleep msec="20"/><AlwaysSuccess/></Sequence></BehaviorTree></root>"""
@@ -180,7 +181,7 @@ class WithRobot(unittest.TestCase):
         begin = time.monotonic()
         client = self.connect()
         self.assertEqual(client.ask(do="hello")["protocol"], 1)
-        self.assertLess(time.monotonic() - begin, within)
+        self.assertLess(time.monotonic() - begin, SLOWNESS * within)
         self.assertIsNone(self.robot.process.poll(), "the tree's process ended")
 
 
@@ -305,7 +306,7 @@ class Page(unittest.TestCase):
             self.addCleanup(reader.close)
             reader.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
             self.assertTrue(read_until(reader, b"<p>here</p>"))
-            self.assertLess(robot.memory(), 64 << 20)
+            self.assertLess(robot.memory(), SLOWNESS * 64 << 20)
 
 
 class LargeTree(WithRobot):
@@ -364,7 +365,7 @@ class LargeTreeWithToken(WithRobot):
         begin = time.monotonic()
         browser.sendall(web_message(b'{"do":"hello"}'))
         self.assertIn(b'"role":"control"', read_until(browser, b"trees"))
-        self.assertLess(time.monotonic() - begin, 2)
+        self.assertLess(time.monotonic() - begin, 2 * SLOWNESS)
         self.assertLess(self.robot.memory(), MEMORY)
 
 
@@ -447,5 +448,7 @@ class Token(WithRobot):
 
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
+    SLOWNESS = int(sys.argv.pop(1))
+    MEMORY *= SLOWNESS
     import zmq.utils.z85
     unittest.main(warnings="ignore")

@@ -12,7 +12,6 @@
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/Range.h>
-#include <sensor_msgs/point_cloud2_iterator.h>
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -22,6 +21,7 @@
 
 #include "robot_app/common/child_process.h"
 #include "robot_app/common/compressed_picture.h"
+#include "robot_app/perception/people/cloud_decoder.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
@@ -196,13 +196,13 @@ TEST_F(SimulatorNodeTest, SendsCloudsOfTheWallsAroundItToWhoSubscribes) {
   const sensor_msgs::PointCloud2 cloud = clouds.get();
   EXPECT_EQ(cloud.header.frame_id, "velodyne");
   EXPECT_EQ(cloud.width * cloud.height, 16U * 900U);
-  sensor_msgs::PointCloud2ConstIterator<float> y(cloud, "y");
-  sensor_msgs::PointCloud2ConstIterator<float> time(cloud, "time");
-  sensor_msgs::PointCloud2ConstIterator<std::uint16_t> ring(cloud, "ring");
+  std::vector<perception::LidarPoint> points;
+  ASSERT_TRUE(perception::Decode(cloud, points));
   int walls = 0, wrong_rings = 0;
-  for (std::uint32_t i = 0; y != y.end(); ++y, ++ring, ++time, ++i) {
-    if (*ring != i / cloud.width || *time < 0 || *time >= 0.1F) ++wrong_rings;
-    if (std::abs(std::abs(*y) - 1.25F) < 0.15F) ++walls;  // of the corridor
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const perception::LidarPoint& point = points[i];
+    if (point.ring != i / cloud.width || point.time < 0 || point.time >= 0.1F) ++wrong_rings;
+    if (std::abs(std::abs(point.y) - 1.25F) < 0.15F) ++walls;  // of the corridor
   }
   EXPECT_EQ(wrong_rings, 0);
   EXPECT_GT(walls, 3000);
@@ -320,12 +320,11 @@ TEST_F(SimulatorNodeTest, SensorsGoBlindLagAndLoseARingOnRequest) {
   EXPECT_TRUE(Inject("restore_topic", "/scan").ok);
 
   const auto measured = [&](int wanted) {
-    const sensor_msgs::PointCloud2 cloud = clouds.get();
-    sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
-    sensor_msgs::PointCloud2ConstIterator<std::uint16_t> ring(cloud, "ring");
-    int count = 0;
-    for (; x != x.end(); ++x, ++ring) count += *ring == wanted && !std::isnan(*x);
-    return count;
+    std::vector<perception::LidarPoint> points;
+    EXPECT_TRUE(perception::Decode(clouds.get(), points));
+    return std::count_if(points.begin(), points.end(), [wanted](const auto& point) {
+      return point.ring == wanted && !std::isnan(point.x);
+    });
   };
   EXPECT_GT(measured(3), 500);
   EXPECT_TRUE(Inject("lose_ring", "", 3).ok);

@@ -139,7 +139,9 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
   StartSlam("tuesday");
   ASSERT_TRUE(Eventually(
       [&] { return ros::service::call("/slam/save", save) && save.response.success; }, kPatience));
-  ASSERT_TRUE(DriveUntil([&] { return truth.get()->pose.position.x > 5; }));
+  const Latest<geometry_msgs::PoseStamped> new_pose(node_, "/slam/pose");
+  ASSERT_TRUE(
+      DriveUntil([&] { return new_pose.get() != nullptr && truth.get()->pose.position.x > 5; }));
   EXPECT_EQ(slam_.Stop(std::chrono::seconds(20)), 0);  // it saves at the end
   const auto second = LoadSlamMap(kMaps);
   ASSERT_TRUE(second) << second.problem();
