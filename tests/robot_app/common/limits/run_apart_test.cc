@@ -28,6 +28,12 @@ TEST(RunApart, SurvivesWhatCrashes) {
             "crashed (signal 6)");
 }
 
+TEST(RunApart, WhatThisProgramDoesWhenItCrashesTheCopyDoesNot) {
+  const auto before = std::signal(SIGFPE, [](int) { _exit(0); });
+  EXPECT_EQ(RunApart([] { return std::raise(SIGFPE); }, {}).problem(), "crashed (signal 8)");
+  std::signal(SIGFPE, before);
+}
+
 TEST(RunApart, EndsWhatTakesTooLong) {
   EXPECT_EQ(RunApart([] { return pause(); }, {0, std::chrono::seconds(1)}).problem(),
             "took longer than 1 s");
