@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <set>
 
 namespace coppice::robot::speech {
@@ -71,34 +72,39 @@ ps_decoder_t* DecoderOf(const std::string& model, const Folder& files, double la
   return decoder;
 }
 
-ngram_model_t* ReadModel(ps_decoder_t* decoder, const std::string& path) {
-  return ngram_model_read(ps_get_config(decoder), path.c_str(), NGRAM_AUTO,
-                          ps_get_logmath(decoder));
+// The library counts who refers to a model: whoever is given it beside us keeps it for himself.
+struct FreeModel {
+  void operator()(ngram_model_t* model) const { ngram_model_free(model); }
+};
+using Model = std::unique_ptr<ngram_model_t, FreeModel>;
+
+Model ReadModel(ps_decoder_t* decoder, const std::string& path) {
+  return Model(
+      ngram_model_read(ps_get_config(decoder), path.c_str(), NGRAM_AUTO, ps_get_logmath(decoder)));
 }
 
 // Sentences of the site, and a share of any others. The library adds probabilities when they have
 // been raised to the power of the language weight already, so the share is, too.
 bool SetSentences(ps_decoder_t* decoder, const std::string& site, const std::string& general,
                   const Expectation& expectation) {
-  ngram_model_t* const read = ReadModel(decoder, site);
-  if (read == nullptr) return false;
-  ngram_model_t* model = read;
+  const Model of_site = ReadModel(decoder, site);
+  if (of_site == nullptr) return false;
+  Model both;
   if (expectation.elsewhere > 0) {
+    const Model of_any = ReadModel(decoder, general);
+    if (of_any == nullptr) return false;
     std::string first = "site", second = "general";
     std::array<char*, 2> names = {first.data(), second.data()};
-    std::array<ngram_model_t*, 2> models = {read, ReadModel(decoder, general)};
-    if (models[1] == nullptr) return false;
+    std::array<ngram_model_t*, 2> models = {of_site.get(), of_any.get()};
     const double power = expectation.language_weight;
     const std::array<float32, 2> weights = {
         static_cast<float32>(std::pow(1 - expectation.elsewhere, power)),
         static_cast<float32>(std::pow(expectation.elsewhere, power))};
-    model = ngram_model_set_init(ps_get_config(decoder), models.data(), names.data(),
-                                 weights.data(), 2);
-    if (model == nullptr) return false;
+    both.reset(ngram_model_set_init(ps_get_config(decoder), models.data(), names.data(),
+                                    weights.data(), 2));
+    if (both == nullptr) return false;
   }
-  const bool is_set = ps_set_lm(decoder, kSentences, model) == 0;
-  ngram_model_free(model);
-  return is_set;
+  return ps_set_lm(decoder, kSentences, both != nullptr ? both.get() : of_site.get()) == 0;
 }
 
 void AddChoice(const char* choice, std::vector<knowledge::Alternative>& alternatives) {
@@ -160,10 +166,8 @@ Expected<Decoder> Decoder::Make(const std::string& model_folder, const Pronuncia
 void Decoder::SetReplies(const NgramCounts& replies) {
   const Folder files;
   std::ofstream(files.Path("replies.arpa")) << replies.Arpa();
-  ngram_model_t* const model = ReadModel(decoder_.get(), files.Path("replies.arpa"));
-  if (model == nullptr) return;
-  ps_set_lm(decoder_.get(), kReplies, model);
-  ngram_model_free(model);
+  const Model model = ReadModel(decoder_.get(), files.Path("replies.arpa"));
+  if (model != nullptr) ps_set_lm(decoder_.get(), kReplies, model.get());
 }
 
 std::vector<knowledge::Alternative> Decoder::Recognize(const Sound& sound) {
