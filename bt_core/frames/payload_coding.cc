@@ -17,6 +17,31 @@ constexpr int kLastShift = 4;  // of the last status, beside the present one
 // Together they must leave a description that a reader takes; longer values are cut.
 constexpr std::size_t kMuchText = 16 << 20;
 
+// A tree that runs has no more nodes. A node that is all zeros takes fifteen times its bytes when
+// it is decoded, so the rest has a limit, too.
+constexpr std::size_t kMostNodes = 1'000'000;
+constexpr std::size_t kMostListBytes = std::size_t{160} << 20;  // of all lists, without their texts
+
+// Makes room for the elements of lists of one description, as many as they are said to be.
+class ListRoom {
+ public:
+  /// The number of elements that follow; 0 after more than there may be.
+  template <class T>
+  std::size_t Begin(Decoder& in, std::vector<T>& list) {
+    const std::size_t count = in.Count();
+    if (count > left_ / sizeof(T)) {
+      in.Fail();
+      return 0;
+    }
+    left_ -= count * sizeof(T);
+    list.reserve(count);
+    return count;
+  }
+
+ private:
+  std::size_t left_ = kMostListBytes;
+};
+
 template <class T>
 std::optional<T> WholeOrNothing(const Decoder& in, T value) {
   if (!in.ok() || !in.at_end()) return std::nullopt;
@@ -35,13 +60,13 @@ void EncodeInfo(const RunInfo& info, Encoder& out) {
   }
 }
 
-RunInfo DecodeInfo(Decoder& in) {
+RunInfo DecodeInfo(Decoder& in, ListRoom& room) {
   RunInfo info;
   for (std::uint8_t& byte : info.run) byte = in.Byte();
   info.clock = in.Text();
   info.start = in.At();
   info.wall_start = WallTime(Duration(in.Signed()));
-  for (std::size_t left = in.Count(); left > 0 && in.ok(); --left) {
+  for (std::size_t left = room.Begin(in, info.metadata); left > 0 && in.ok(); --left) {
     std::string key = in.Text();
     info.metadata.emplace_back(std::move(key), in.Text());
   }
@@ -63,7 +88,7 @@ void EncodeNode(const DescribedNode& node, Encoder& out) {
   }
 }
 
-DescribedNode DecodeNode(Decoder& in, std::size_t documents) {
+DescribedNode DecodeNode(Decoder& in, std::size_t documents, ListRoom& room) {
   DescribedNode node;
   node.path = in.Text();
   node.id = in.Text();
@@ -74,7 +99,7 @@ DescribedNode DecodeNode(Decoder& in, std::size_t documents) {
   node.parent = NodeIndex(in.Index(kNoNode));
   node.document = in.Index(documents);
   node.element = ElementIndex(in.Index(kNoElement));
-  for (std::size_t left = in.Count(); left > 0 && in.ok(); --left) {
+  for (std::size_t left = room.Begin(in, node.ports); left > 0 && in.ok(); --left) {
     std::string name = in.Text();
     node.ports.push_back({std::move(name), SlotIndex(in.Index(kNoSlot))});
   }
@@ -139,17 +164,20 @@ void EncodeTree(const TreeDescription& tree, Encoder& out) {
 std::optional<TreeDescription> DecodeTree(Decoder in) {
   TreeDescription tree;
   tree.writer = in.Text();
-  tree.info = DecodeInfo(in);
+  ListRoom room;
+  tree.info = DecodeInfo(in, room);
   tree.main_tree = in.Text();
-  for (std::size_t left = in.Count(); left > 0 && in.ok(); --left) {
+  for (std::size_t left = room.Begin(in, tree.documents); left > 0 && in.ok(); --left) {
     std::string file = in.Text();
     tree.documents.push_back({std::move(file), in.Text()});
   }
   tree.models = in.Text();
-  for (std::size_t left = in.Count(); left > 0 && in.ok(); --left) {
-    tree.nodes.push_back(DecodeNode(in, tree.documents.size()));
+  const std::size_t nodes = room.Begin(in, tree.nodes);
+  if (nodes > kMostNodes) in.Fail();
+  for (std::size_t left = nodes; left > 0 && in.ok(); --left) {
+    tree.nodes.push_back(DecodeNode(in, tree.documents.size(), room));
   }
-  for (std::size_t left = in.Count(); left > 0 && in.ok(); --left) {
+  for (std::size_t left = room.Begin(in, tree.slots); left > 0 && in.ok(); --left) {
     tree.slots.push_back(DecodeSlot(in));
   }
   if (!in.ok() || !IsPreorder(tree.nodes) || !PortsHaveSlots(tree)) return std::nullopt;

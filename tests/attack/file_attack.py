@@ -91,6 +91,19 @@ def zeros(size, starts_stream):
     return head + struct.pack("<I", 1 << 1 | block << 3)[:3].ljust(4, b"\0") * (size // block)
 
 
+def raw_block(content):
+    """Of zstd, as it is."""
+    return struct.pack("<I", len(content) << 3)[:3] + content
+
+
+def varint(number):
+    text = b""
+    while number > 127:
+        text += bytes([number & 127 | 128])
+        number >>= 7
+    return text + bytes([number])
+
+
 class FileAttack(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -142,6 +155,18 @@ class Records(FileAttack):
         bomb = frame(TREE_FRAME, zeros(1 << 30, True))
         self.read(self.good[:12] + bomb)
         self.assertIn("damaged", self.read(self.good + bomb))
+
+    def test_a_tree_of_millions_of_nodes_or_slots_is_damaged(self):
+        millions = 9_000_000
+        no_nodes = b"\1" + bytes(6)  # but the root
+        for lists, size in ((varint(millions), 7), (no_nodes + varint(15_000_000), 4)):
+            # A run without names, one document, no models.
+            head = bytes(1 + 16 + 4 + 1) + b"\1" + bytes(3) + lists
+            count = millions if size == 7 else 15_000_000
+            tree = raw_block(head) + zeros(size * count, False) + raw_block(
+                bytes(size * count % (128 << 10) + (1 if size == 7 else 0)))
+            bomb = frame(TREE_FRAME, b"\x28\xb5\x2f\xfd\x00\x50" + tree)
+            self.assertIn("tree", self.read(self.good[:12] + bomb, codes=(1, 2)))
 
     def test_damaged_records_end_with_a_message(self):
         for at in range(0, len(self.good), max(1, len(self.good) // 8)):
