@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "bt_core/frames/history_size.h"
 #include "bt_core/record/record_cursor.h"
 
 namespace coppice {
@@ -11,18 +12,35 @@ namespace {
 // Reads a record to its end.
 class Loader {
  public:
-  Loader(const RecordReader& record, Recording& out) : cursor_(record), out_(out) {}
+  Loader(const RecordReader& record, Recording& out, std::size_t most_bytes)
+      : cursor_(record), out_(out), most_bytes_(most_bytes) {}
 
-  std::vector<RecordDamage> Load() {
+  /// Nothing if it is too long.
+  std::optional<std::vector<RecordDamage>> Load() {
     tree_ = &cursor_.tree();
-    out_.OnTree(*tree_);
-    out_.OnState(cursor_.state().State(HistoryState::Cause::kBegin));
+    TakeTree();
+    TakeState(HistoryState::Cause::kBegin);
     while (Take(cursor_.Next())) {
+      if (bytes_ > most_bytes_) return std::nullopt;
     }
     return cursor_.damages();
   }
 
  private:
+  // What grows has room for as much again.
+  static constexpr std::size_t kRoom = 2;
+
+  void TakeTree() {
+    bytes_ += BytesOf(*tree_);
+    out_.OnTree(*tree_);
+  }
+
+  void TakeState(HistoryState::Cause cause) {
+    const HistoryState state = cursor_.state().State(cause);
+    bytes_ += BytesOf(state);
+    out_.OnState(state);
+  }
+
   bool Take(RecordItem item) {
     switch (item) {
       case RecordItem::kTick:
@@ -31,21 +49,23 @@ class Loader {
       case RecordItem::kTree:
         is_other_tree_ = &cursor_.tree() != tree_;
         tree_ = &cursor_.tree();
-        if (is_other_tree_) out_.OnTree(*tree_);
+        if (is_other_tree_) TakeTree();
         return true;
       case RecordItem::kState:
-        out_.OnState(cursor_.state().State(is_lost_ ? HistoryState::Cause::kLost
-                                                    : HistoryState::Cause::kJump));
+        TakeState(is_lost_ ? HistoryState::Cause::kLost : HistoryState::Cause::kJump);
         is_lost_ = false;
         return true;
       case RecordItem::kGap:
         is_lost_ = true;
+        bytes_ += sizeof(HistoryGap);
         out_.OnGap(cursor_.gap());
         return true;
       case RecordItem::kDamage:
+        bytes_ += sizeof(RecordDamage);
         is_lost_ = true;
         return true;
       case RecordItem::kNote:
+        bytes_ += BytesOf(cursor_.note());
         out_.OnNote(cursor_.note());
         return true;
       case RecordItem::kEnd:
@@ -64,11 +84,14 @@ class Loader {
     part_of_ = events.is_whole ? 0 : events.tick;
     events.words.data += known;
     events.words.size -= known;
+    bytes_ += kRoom * (sizeof(Recording::Tick) + events.words.size * sizeof(std::uint32_t));
     out_.OnTick(events);
   }
 
   RecordCursor cursor_;
   Recording& out_;
+  const std::size_t most_bytes_;
+  std::size_t bytes_ = 0;
   const TreeDescription* tree_ = nullptr;
   bool is_other_tree_ = false;
   bool is_lost_ = false;
@@ -78,11 +101,19 @@ class Loader {
 
 }  // namespace
 
-std::optional<Recording> LoadRecording(const std::string& path, Diagnostics& diagnostics) {
+std::optional<Recording> LoadRecording(const std::string& path, Diagnostics& diagnostics,
+                                       std::size_t most_bytes) {
   const std::unique_ptr<RecordReader> record = RecordReader::Open(path, diagnostics);
   if (!record) return std::nullopt;
   Recording run;
-  for (const RecordDamage& damage : Loader(*record, run).Load()) {
+  const auto damages = Loader(*record, run, most_bytes).Load();
+  if (!damages) {
+    diagnostics.Error(
+        {path}, "the run takes more than " + std::to_string(most_bytes >> 20) + " MiB of memory",
+        "--memory allows more");
+    return std::nullopt;
+  }
+  for (const RecordDamage& damage : *damages) {
     run.OnDamage();
     diagnostics.Warning({record->files()[damage.file]},
                         "damaged at byte " + std::to_string(damage.offset) + ": " + damage.what);

@@ -76,7 +76,7 @@ void RecordSource::Begin(LiveListener& listener) {
 }
 
 void RecordSource::Refresh() {
-  if (may_grow() && is_done_ && record_->Refresh()) is_done_ = false;
+  if (!is_cut_ && may_grow() && is_done_ && record_->Refresh()) is_done_ = false;
 }
 
 bool RecordSource::Take(RecordItem item, LiveListener& listener) {

@@ -29,6 +29,7 @@ class RecordSource final : public RunSource {
   /// Until its recorder has closed it.
   bool may_grow() const override { return record_ && !has_ended_; }
   void Refresh() override;
+  void HangUp(const std::string& /*why*/) override { is_cut_ = is_done_ = was_done_ = true; }
   double progress() const override;
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override;
 
@@ -44,6 +45,7 @@ class RecordSource final : public RunSource {
   std::optional<RecordCursor> cursor_;
   const TreeDescription* tree_ = nullptr;
   bool has_begun_ = false;
+  bool is_cut_ = false;   // the rest is not wanted
   bool is_done_ = false;  // all that is there was told
   bool was_done_ = false;
   bool has_ended_ = false;

@@ -32,8 +32,8 @@ class RunSource {
   /// Of a file: the part that was handed over, in [0, 1].
   virtual double progress() const { return 1; }
 
-  /// Of a robot: follows it no further; `why` becomes the problem of the connection. Then it hands
-  /// over what has come until now.
+  /// Nothing more is wanted but what has come until now. Of a robot, `why` becomes the problem of
+  /// the connection.
   virtual void HangUp(const std::string& /*why*/) {}
 
   /// A file answers that it cannot.

@@ -44,7 +44,7 @@ std::string RunView::bookmark_name() const {
 RunPhase RunView::phase() const {
   if (source_->is_simulation()) return RunPhase::kSimulation;
   if (!source_->is_robot()) return source_->is_loading() ? RunPhase::kLoading : RunPhase::kRecord;
-  if (is_left_) return RunPhase::kLeft;
+  if (is_left_) return RunPhase::kLeft;  // of robots
   if (connection_.is_live) return RunPhase::kLive;
   return was_live_ ? RunPhase::kReconnecting : RunPhase::kConnecting;
 }
@@ -66,12 +66,14 @@ void RunView::Update(const HookList& hooks, double now) {
   Mark(hooks);
 }
 
-// A robot may say more than there is memory for, in a second or in many days.
+// A robot may say more than there is memory for, in a second or in many days, and a record may hold
+// more in some kilobytes.
 void RunView::LeaveIfTooLong() {
-  if (is_left_ || !source_->is_robot() || run_.bytes() <= most_bytes_) return;
+  if (is_left_ || source_->is_simulation() || run_.bytes() <= most_bytes_) return;
   is_left_ = true;
   source_->HangUp("this run takes all the memory that one may take; connect again to go on");
-  source_->Pump(*this);
+  if (source_->is_robot()) return source_->Pump(*this);
+  answer_ = "this record takes all the memory that one may take: its first part is shown";
 }
 
 // A record that was closed ends with the halt of the tree. What was wanted is the tick before it:

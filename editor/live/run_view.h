@@ -38,7 +38,7 @@ const char* ToString(RunPhase phase);
 
 class RunView final : private LiveListener {
  public:
-  /// That the run of a robot may take; then it is followed no further.
+  /// That a run of a robot or a record may take; then it is followed, or read, no further.
   static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
   RunView(std::unique_ptr<RunSource> source, std::shared_ptr<const NodeModels> known);

@@ -151,6 +151,15 @@ class Records(FileAttack):
         self.assertLess(len(bomb), 5000)
         self.assertIn("damaged", self.read(self.good[:self.after(STATE_FRAME)] + bomb * 20))
 
+    def test_ticks_without_end_take_the_memory_that_they_may_take(self):
+        full = frame(EVENTS_FRAME, zeros(1 << 20, False))  # 262 144 ticks in which nothing happens
+        record = self.write("long.coppice", self.good[:self.after(STATE_FRAME)] + full * 40)
+        self.assertLess(os.path.getsize(self.path(record)), 8000)
+        for command in (["stats", record], ["replay", record, "--print"],
+                        ["convert", record, "out.json"]):
+            text = self.run_program(*command, "--memory", "100", codes=(2,))
+            self.assertIn("more than 100 MiB of memory", text)
+
     def test_a_tree_that_unpacks_to_gigabytes_is_damaged(self):
         bomb = frame(TREE_FRAME, zeros(1 << 30, True))
         self.read(self.good[:12] + bomb)

@@ -19,8 +19,9 @@ bool EndsIn(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
 }
 
-std::optional<Recording> Read(const std::string& path, Diagnostics& diagnostics) {
-  if (!EndsIn(path, ".btlog")) return LoadRecording(path, diagnostics);
+std::optional<Recording> Read(const Options& options, Diagnostics& diagnostics) {
+  const std::string& path = options.files[0];
+  if (!EndsIn(path, ".btlog")) return LoadRecording(path, diagnostics, MemoryOf(options));
   const std::optional<std::string> bytes = ReadFile(path, diagnostics, kLongestBtlog);
   return bytes ? FromBtlog(*bytes, path, diagnostics) : std::nullopt;
 }
@@ -56,7 +57,7 @@ OUT:  .coppice, .btlog
       .csv       changes, writes and messages, one per line
       .bag       bag of ROS 1
       .xml       the tree that ran last, as one file)",
-                               {}};
+                               {MemoryOption()}};
   return command;
 }
 
@@ -64,7 +65,7 @@ int RunConvert(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(ConvertCommand(), arguments);
   if (options.exit) return *options.exit;
   Diagnostics diagnostics;
-  const std::optional<Recording> run = Read(options.files[0], diagnostics);
+  const std::optional<Recording> run = Read(options, diagnostics);
   std::optional<std::string> bytes;
   if (run) bytes = Convert(*run, options.files[1], diagnostics);
   const bool written = bytes && WriteFile(options.files[1], *bytes, diagnostics);

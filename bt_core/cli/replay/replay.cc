@@ -136,6 +136,15 @@ int CompareFiles(const Recording& first, const Recording& second, bool is_json) 
 
 }  // namespace
 
+CommandOption MemoryOption() {
+  return CommandOption::Whole("--memory", "MIB", 1, 1 << 20,
+                              "that a run may take, about; else 1024");
+}
+
+std::size_t MemoryOf(const Options& options) {
+  return static_cast<std::size_t>(options.Whole("--memory", kMostRunBytes >> 20)) << 20;
+}
+
 const Command& ReplayCommand() {
   const auto seconds = [](const char* name, const char* help) {
     return CommandOption::Real(name, "SECONDS", -1e9, 1e9, help);
@@ -159,7 +168,7 @@ tick by tick. Times are in seconds since the start of the record.)",
        CommandOption::Text("--why-not", "NODE", "why that node was not ticked"),
        CommandOption::Flag("--verify",
                            "runs the tree again with the recorded inputs: does it do the same?"),
-       PluginOption(), CommandOption::Flag("--diff", "where FILE and OTHER part"),
+       MemoryOption(), PluginOption(), CommandOption::Flag("--diff", "where FILE and OTHER part"),
        CommandOption::Text("--scenario", "OUT",
                            "makes a test of the run, which `coppice test OUT` plays"),
        CommandOption::Text("--name", "NAME", "of that test"),
@@ -181,7 +190,7 @@ int RunReplay(const std::vector<std::string>& arguments) {
   std::vector<Recording> runs;
   for (const std::string& file : options.files) {
     Diagnostics diagnostics;
-    std::optional<Recording> run = LoadRecording(file, diagnostics);
+    std::optional<Recording> run = LoadRecording(file, diagnostics, MemoryOf(options));
     std::cerr << diagnostics.ToString();
     if (!run) return 2;
     runs.push_back(*std::move(run));

@@ -2,6 +2,7 @@
 #ifndef COPPICE_BT_CORE_CLI_REPLAY_REPLAY_H_
 #define COPPICE_BT_CORE_CLI_REPLAY_REPLAY_H_
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace coppice {
 const Command& ReplayCommand();
 const Command& StatsCommand();
 const Command& ConvertCommand();
+
+/// Of the three: what a run may take, and that in bytes.
+CommandOption MemoryOption();
+std::size_t MemoryOf(const Options& options);
 
 /// `coppice replay FILE`: in a terminal, a view to go back and forth in the run; else everything
 /// that happened, tick by tick. With --at, --tick, --why, --why-not, --verify or --diff the answer

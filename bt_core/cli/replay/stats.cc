@@ -19,7 +19,7 @@ const Command& StatsCommand() {
 took more than one tick with their durations (p50, p95, max), changes of the result per
 minute, first and last tick.)",
       {CommandOption::OneOf("--sort", {"tree", "ticks", "time", "flips"}, "by what; else by tree"),
-       CommandOption::Flag("--json", "as one JSON object")}};
+       CommandOption::Flag("--json", "as one JSON object"), MemoryOption()}};
   return command;
 }
 
@@ -32,7 +32,8 @@ int RunStats(const std::vector<std::string>& arguments) {
   if (options.exit) return *options.exit;
   const StatisticsOrder order = orders.at(options.Get("--sort", "tree"));
   Diagnostics diagnostics;
-  const std::optional<Recording> run = LoadRecording(options.files[0], diagnostics);
+  const std::optional<Recording> run =
+      LoadRecording(options.files[0], diagnostics, MemoryOf(options));
   std::cerr << diagnostics.ToString();
   if (!run) return 2;
   const Statistics statistics = StatisticsOf(*run);
