@@ -18,20 +18,18 @@ namespace {
 constexpr char kHelp[] =
     "coppice-map-server: shows a saved map, as the ROS node /map_server.\n"
     "  publishes   /map (nav_msgs/OccupancyGrid, latched)\n"
-    "As long as the file is not there it shows the map.yaml beside ~floor, or passes on the maps of\n"
-    "~stand_in_topic. Exit status 2 also if the file is no map, or there is none of them.\n";
+    "As long as the file is not there it passes on the maps of ~stand_in_topic. Exit status 2\n"
+    "also if the file is no map, or there is neither.\n";
 
 struct Settings {
   std::string map = "none";
-  std::string floor = "none";
   std::string stand_in_topic = "none";
   std::string frame = "map";
 };
 
 Parameters ParametersOf(Settings& settings) {
   return {{"map", &settings.map, "the YAML file of the map"},
-          {"floor", &settings.floor, "of the simulator, beside which its map may lie"},
-          {"stand_in_topic", &settings.stand_in_topic, "as long as there is none"},
+          {"stand_in_topic", &settings.stand_in_topic, "as long as it is not there"},
           {"map_frame", &settings.frame, "the frame of the map"}};
 }
 
@@ -40,21 +38,12 @@ int Fail(const std::string& reason) {
   return 2;
 }
 
-bool IsThere(const std::string& file) { return file != "none" && std::filesystem::exists(file); }
-
-// That somebody made, else that came with the floor.
-std::string FileOf(const Settings& settings) {
-  if (settings.floor == "none" || IsThere(settings.map)) return settings.map;
-  const std::string beside = std::filesystem::path(settings.floor).replace_filename("map.yaml");
-  return IsThere(beside) ? beside : settings.map;
-}
-
 int Run(const Settings& settings) {
-  const std::string file = FileOf(settings);
+  const std::string& file = settings.map;
   ros::NodeHandle node;
   const ros::Publisher publisher = node.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
   ros::Subscriber subscriber;
-  if (IsThere(file)) {
+  if (file != "none" && std::filesystem::exists(file)) {
     Diagnostics diagnostics;
     const std::optional<OccupancyGrid> map = LoadMap(file, diagnostics);
     if (!map) return Fail(diagnostics.ToString());

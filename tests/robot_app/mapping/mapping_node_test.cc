@@ -49,10 +49,9 @@ class MappingNodeTest : public testing::Test {
                              "_last_pose_file:=" + kLastPose, "_start_pose:=2 0 0"},
                             Temporary("mapping.log"));
   }
-  void StartMapServer(const std::string& argument, const std::string& floor = "none") {
-    server_ = ChildProcess(
-        {kPrograms + "coppice-map-server", "_map:=" + kMap, "_floor:=" + floor, argument},
-        Temporary("map_server.log"));
+  void StartMapServer(const std::string& argument) {
+    server_ = ChildProcess({kPrograms + "coppice-map-server", "_map:=" + kMap, argument},
+                           Temporary("map_server.log"));
   }
   static int RunToTheEnd(const std::vector<std::string>& command, const std::string& log) {
     ChildProcess process(command, log);
@@ -135,28 +134,6 @@ TEST_F(MappingNodeTest, SaysWhyItCannotSave) {
   EXPECT_FALSE(fs::exists(kUnsaved));
 }
 
-// A wall at that x.
-OccupancyGrid SmallGrid(double x) {
-  OccupancyGrid grid;
-  grid.frame = {0.05, x, 1, 3, 2};
-  grid.cells = {100, 0, 0, 0, 0, 0};
-  return grid;
-}
-
-TEST_F(MappingNodeTest, TheServerShowsTheMapBesideTheFloorUntilThereIsAnother) {
-  const fs::path folder = Temporary("site");
-  fs::create_directories(folder);
-  Diagnostics diagnostics;
-  for (const double x : {2.0, 5.0}) {
-    const std::string file = x == 2 ? (folder / "map.yaml").string() : kMap;
-    ASSERT_TRUE(SaveMap(file, SmallGrid(x), diagnostics));
-    StartMapServer("_stand_in_topic:=/simulation/map", folder / "world.yaml");
-    const Latest<nav_msgs::OccupancyGrid> map(node_, "/map");
-    EXPECT_TRUE(Eventually([&] { return Shows(map.get(), x + 0.025, 1.025); }, kPatience)) << x;
-    EXPECT_EQ(server_.Stop(std::chrono::seconds(5)), 0);
-  }
-}
-
 TEST_F(MappingNodeTest, TheServerShowsTheSavedMapOrAStandIn) {
   StartSimulator();
   StartMapServer("_stand_in_topic:=/simulation/map");
@@ -166,11 +143,14 @@ TEST_F(MappingNodeTest, TheServerShowsTheSavedMapOrAStandIn) {
   }
   EXPECT_EQ(server_.Stop(std::chrono::seconds(5)), 0);
 
+  OccupancyGrid small;
+  small.frame = {0.05, 1, 1, 3, 2};
+  small.cells = {0, 0, 0, 0, 100, 0};
   Diagnostics diagnostics;
-  ASSERT_TRUE(SaveMap(kMap, SmallGrid(1), diagnostics));
+  ASSERT_TRUE(SaveMap(kMap, small, diagnostics));
   StartMapServer("_stand_in_topic:=/simulation/map");
   const Latest<nav_msgs::OccupancyGrid> map(node_, "/map");
-  EXPECT_TRUE(Eventually([&] { return Shows(map.get(), 1.025, 1.025); }, kPatience));
+  EXPECT_TRUE(Eventually([&] { return Shows(map.get(), 1.075, 1.075); }, kPatience));
   EXPECT_EQ(map.get()->data.size(), 6u);
 }
 
