@@ -36,6 +36,7 @@ constexpr const char* kWishes[] = {"Please take me to office one oh three.",
                                    "Can you take me to office one oh three?"};
 constexpr char kVisitor[] = "en-us+f2";  // a voice of espeak-ng
 constexpr char kFollower[] = "anna";     // who follows the robot where it looks back
+constexpr auto kOverwrite = fs::copy_options::overwrite_existing;
 
 std::string LastLine(const std::string& path) {
   std::ifstream file(path);
@@ -60,6 +61,7 @@ class Demo {
     fs::create_directories(settings_.folder / "logs");
     std::string failure;
     try {
+      BringMap();
       StartEverything();
       Patrol();
     } catch (const DemoFailed& error) {
@@ -70,6 +72,18 @@ class Demo {
   }
 
  private:
+  // The map that the robot made of the institute on a patrol before, where it keeps its maps.
+  void BringMap() {
+    const fs::path to = settings_.folder / "institute";
+    fs::create_directories(to);
+    for (const auto& file :
+         fs::directory_iterator(settings_.source / "robot_app/config/sites/institute")) {
+      const bool is_of_map =
+          file.path().filename() == "map.yaml" || file.path().extension() == ".pgm";
+      if (is_of_map) fs::copy_file(file, to / file.path().filename(), kOverwrite);
+    }
+  }
+
   void StartEverything() {
     console_.Step("starting ROS, the simulated robot, monitors and trees");
     if (settings_.editor) StartEditor();
@@ -80,6 +94,7 @@ class Demo {
     setenv("ROS_IP", "127.0.0.1", 1);
     console_.Tell("ROS master at port " + port + ", logs in " +
                   (settings_.folder / "logs").string());
+    console_.Tell("it drives on the map that it made itself on a patrol before");
 
     int no_arguments = 0;
     ros::init(no_arguments, nullptr, "coppice_demo",

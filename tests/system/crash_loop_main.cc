@@ -46,7 +46,7 @@ int WaitFor(pid_t pid, double seconds) {
   for (double waited = 0; waitpid(pid, &status, WNOHANG) == 0; waited += 0.02) {
     if (g_stop != 0 && !told) kill(pid, SIGTERM);
     told = told || g_stop != 0;
-    if (waited > seconds && !told) kill(pid, SIGSEGV);
+    if (waited > seconds && !told) kill(pid, SIGABRT);
     usleep(20000);
   }
   return status;

@@ -57,7 +57,7 @@ bool IsTakenAlong(const RobotState& state, const std::string& dependent) {
   for (const Event& event : state.events()) {
     if (event.kind == Event::Kind::kProcess && event.subject == dependent &&
         event.value == ProcessState::STARTING &&
-        event.text.find("odometry_filter ended by signal 11; restarted 3 times") == 0) {
+        event.text.find("odometry_filter ended by signal 6; restarted 3 times") == 0) {
       return true;
     }
   }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "robot_app/common/places/topological_map.h"
+#include "robot_app/mapping/map_file.h"
 #include "robot_app/navigation/navigation.h"
 #include "tests/robot_app/navigation/world_robot.h"
 #include "tests/support/folders.h"
@@ -96,6 +97,20 @@ TEST_F(NavigationInWorld, DrivesToEveryPlaceOfTheTopologicalMap) {
   std::cout << "simulated " << world_->time() << " s, tracking error on average "
             << error_sum_ / updates_ << " m, at most " << error_ << " m, protective stops in "
             << protective_stops_ << " steps\n";
+}
+
+TEST_F(NavigationInWorld, DrivesToThemOnTheMapThatTheRobotMadeItself) {
+  Diagnostics diagnostics;
+  const auto map =
+      mapping::LoadMap(SourceFolder() + "/robot_app/config/sites/institute/map.yaml", diagnostics);
+  ASSERT_TRUE(map) << diagnostics.ToString();
+  navigation_.SetMap(*map);
+  for (const Place& place : places_.places()) {
+    if (!place.Is("patrol")) continue;
+    EXPECT_EQ(DriveTo(place.name, 180), End::kReached)
+        << place.name << ": " << navigation_.message();
+  }
+  EXPECT_EQ(bumps_, 0);
 }
 
 TEST_F(NavigationInWorld, ABlockedCorridorEndsTheGoalAndAnOpenOneDoesNot) {
