@@ -75,6 +75,7 @@ struct TreeInstance {
 
 class Program {
  public:
+  std::shared_ptr<const Registry> registry;  ///< first: values of its types end before it
   std::vector<NodeRecord> nodes;
   std::vector<PortBinding> ports;
   std::vector<LeafRecord> leaves;
@@ -86,7 +87,6 @@ class Program {
   std::vector<SourceText> texts;  ///< of the project's documents, in their order
   NodeModelMap subtree_models;    ///< Project::subtree_models()
   std::string main_tree;          ///< Project::main_tree(); another one may have been compiled
-  std::shared_ptr<const Registry> registry;
 
   /// Registration ID ("Sequence", "DriveTo"; for a SubTree the ID of its tree).
   std::string Id(NodeIndex node) const;

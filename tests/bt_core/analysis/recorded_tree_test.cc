@@ -3,10 +3,32 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+
 #include "tests/bt_core/analysis/recorded_run.h"
+
+struct Room {
+  std::string name;
+};
+
+template <>
+struct coppice::ValueTraits<Room> {
+  static constexpr const char* kName = "Room";
+  static bool Parse(std::string_view text, Room& out) { return out.name = text, true; }
+  static std::string Print(const Room& room) { return room.name; }
+};
 
 namespace coppice {
 namespace {
+
+class Visit final : public Condition {
+ public:
+  static constexpr const char* kDescription = "Is there a room?";
+  Input<Room> room{this, "room", "where"};
+  bool Check() override { return !room->name.empty(); }
+};
 
 using ::testing::HasSubstr;
 
@@ -62,6 +84,23 @@ TEST(RecordedTree, HasNoProgramIfTheDocumentsAreOthers) {
   other.documents[0].text = "<root><BehaviorTree ID='Main'><Sequence/></BehaviorTree></root>";
   EXPECT_FALSE(Compiled(other, problems).program);
   EXPECT_THAT(problems, HasSubstr("cannot be compiled"));
+}
+
+// The program is the last that knows the registry of the replay, which has the type.
+TEST(RecordedTree, AKeyOfATypeThatOnlyTheRobotKnewEndsBeforeItsType) {
+  auto registry = std::make_shared<Registry>();
+  registry->Register<Visit>("Visit");
+  RecordedRun run(
+      "<BehaviorTree ID='Main'><SubTree ID='Sub' to='3rd floor'/></BehaviorTree>"
+      "<BehaviorTree ID='Sub'><Visit room='{to}'/></BehaviorTree>",
+      registry);
+  std::string problems;
+  const RecordedTree tree = Compiled(run.keeper.run.trees()[0], problems);
+  ASSERT_TRUE(tree.program) << problems;
+  const auto& slots = tree.program->layout.slots;
+  EXPECT_TRUE(std::any_of(slots.begin(), slots.end(), [](const SlotDefinition& slot) {
+    return slot.initial.type() != nullptr && slot.initial.type()->name == std::string("Room");
+  }));
 }
 
 }  // namespace
