@@ -96,11 +96,11 @@ def pose(x, y):
 def key_frame(x, y, points, distance=50.0):
     return (number(0) + pose(x, y) + struct.pack("<ddB3d247f", 0, distance, 0, 0, 0, 0, *[1.0] * 247)
             + number(len(points)) + b"".join(struct.pack("<3h", *point) for point in points)
-            + number(0))
+            + number(0) + number(0))  # no clouds of cameras, no pictures
 
 
 def slam_map(*key_frames, name=b"s"):
-    return b"coppice slam map 2\n" + packed(
+    return b"coppice slam map 3\n" + packed(
         number(1) + number(len(name)) + name + bytes(8) + number(len(key_frames))
         + b"".join(key_frames) + number(0))
 
