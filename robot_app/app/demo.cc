@@ -36,7 +36,6 @@ constexpr const char* kWishes[] = {"Please take me to office one oh three.",
                                    "Can you take me to office one oh three?"};
 constexpr char kVisitor[] = "en-us+f2";  // a voice of espeak-ng
 constexpr char kFollower[] = "anna";     // who follows the robot where it looks back
-constexpr auto kOverwrite = fs::copy_options::overwrite_existing;
 
 std::string LastLine(const std::string& path) {
   std::ifstream file(path);
@@ -72,15 +71,17 @@ class Demo {
   }
 
  private:
-  // The map that the robot made of the institute on a patrol before, where it keeps its maps.
+  // The map that the robot made of the institute on a patrol before, where it keeps its maps; a run
+  // that has one already keeps it.
   void BringMap() {
+    constexpr auto kKeep = fs::copy_options::skip_existing;
     const fs::path to = settings_.folder / "institute";
     fs::create_directories(to);
     for (const auto& file :
          fs::directory_iterator(settings_.source / "robot_app/config/sites/institute")) {
       const bool is_of_map =
           file.path().filename() == "map.yaml" || file.path().extension() == ".pgm";
-      if (is_of_map) fs::copy_file(file, to / file.path().filename(), kOverwrite);
+      if (is_of_map) fs::copy_file(file, to / file.path().filename(), kKeep);
     }
   }
 

@@ -30,14 +30,12 @@ READY = frame(4, b"\x05READY\x0bSocket-Type" + struct.pack(">I", 6) + b"ROUTER")
 ANNOUNCED = 64 << 20  # bytes: as large as a message may be
 
 
-class Robot:
-    """Greets everybody as a robot does, and then says `pieces` again and again."""
+class Door:
+    """Has a thread for each who connects, which calls talk()."""
 
-    def __init__(self, begin, pieces):
-        self.begin, self.pieces = begin, pieces
+    def __init__(self):
         self.door = socket.create_server(("127.0.0.1", 0))
         self.port = self.door.getsockname()[1]
-        self.sent = 0
         threading.Thread(target=self.serve, daemon=True).start()
 
     def serve(self):
@@ -47,6 +45,15 @@ class Robot:
             except OSError:
                 return
             threading.Thread(target=self.talk, args=(connection,), daemon=True).start()
+
+
+class Robot(Door):
+    """Greets everybody as a robot does, and then says `pieces` again and again."""
+
+    def __init__(self, begin, pieces):
+        self.begin, self.pieces = begin, pieces
+        self.sent = 0
+        super().__init__()
 
     def talk(self, connection):
         try:
@@ -134,7 +141,7 @@ def boards(keys):
     return bytes(pack)
 
 
-class Groot2Robot:
+class Groot2Robot(Door):
     """Knows the protocol of Groot2 alone, and answers what is asked with `answers` (by its letter,
     each a text or what makes one of the number of the question)."""
 
@@ -145,17 +152,7 @@ class Groot2Robot:
         self.answers = {b"T": self.TREE, b"S": b"\1\0\2", b"B": b"\x80", b"D": b"[]",
                         b"r": b"1000000", b"t": b"", **answers}
         self.asked = {}
-        self.door = socket.create_server(("127.0.0.1", 0))
-        self.port = self.door.getsockname()[1]
-        threading.Thread(target=self.serve, daemon=True).start()
-
-    def serve(self):
-        while True:
-            try:
-                connection, _ = self.door.accept()
-            except OSError:
-                return
-            threading.Thread(target=self.talk, args=(connection,), daemon=True).start()
+        super().__init__()
 
     def talk(self, connection):
         try:

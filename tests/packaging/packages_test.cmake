@@ -59,6 +59,12 @@ if(ROBOT)  # it finds what it ships beside itself
       ${share}/robot/trees/monitor/monitor.xml)
   run(${bin}/coppice-deployment run --seeds 1 --days 1 --out ${WORK}/days)
   run(${bin}/coppice-face)
+  set(institute ${share}/robot/robot_app/config/sites/institute)  # that the demonstration drives on
+  file(STRINGS ${institute}/map.yaml picture REGEX "^image: ")
+  string(REPLACE "image: " "" picture "${picture}")
+  if(NOT EXISTS ${institute}/${picture})
+    message(FATAL_ERROR "the map of the institute has no picture: ${picture}")
+  endif()
   file(GLOB_RECURSE units ${WORK}/root/usr/lib/systemd/system/*.service)
   file(STRINGS "${units}" start REGEX ExecStart)
   if(NOT start MATCHES "/usr/bin/coppice-supervisor --config /usr/share/coppice/robot/")

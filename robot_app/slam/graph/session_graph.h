@@ -102,10 +102,10 @@ class SessionGraph {
   SessionGraphSettings settings_;
   PoseGraph graph_;
   GraphSolver solver_;
-  std::vector<std::uint32_t> sessions_;  // of each pose
-  std::vector<std::uint32_t> maps_;      // of each session
-  std::vector<Link> waiting_;            // between maps
-  Eigen::Matrix3d odometry_;             // how the newest pose is turned in it
+  std::vector<std::uint32_t> sessions_;                     // of each pose
+  std::vector<std::uint32_t> maps_;                         // of each session
+  std::vector<Link> waiting_;                               // between maps
+  Eigen::Matrix3d odometry_ = Eigen::Matrix3d::Identity();  // how the newest pose is turned in it
   bool begins_ = true;
 };
 
