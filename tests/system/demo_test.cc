@@ -14,6 +14,7 @@
 #include "bt_core/analysis/play/verify.h"
 #include "robot_app/app/run_summary.h"
 #include "robot_app/common/child_process.h"
+#include "robot_app/processes/launch/ros_master.h"
 #include "tests/support/folders.h"
 
 namespace coppice::robot {
@@ -44,8 +45,7 @@ TEST(Robot, LeadsAVisitorAndRecoversFromADeadNodeAndABlockedCorridorOnItsPatrol)
   const fs::path folder = fs::path(BinaryFolder()) / "tests" / "system_run";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  // Below the ports that the system gives to whoever wants any.
-  const std::string live_port = std::to_string(20000 + getpid() % 3000 * 4);
+  const std::string live_port = std::to_string(processes::FreePort(4));
   ChildProcess demo({BinaryFolder() + "/bin/coppice-demo", "--no-editor", "--run", folder.string(),
                      "--rounds", "1", "--stops", "4", "--speed", "6", "--live-port", live_port},
                     (folder / "demo.log").string());

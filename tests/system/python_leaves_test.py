@@ -3,6 +3,7 @@
 simulated robot with a shipped tree, and lets it stop when it is interrupted."""
 import os
 import pathlib
+import random
 import signal
 import socket
 import subprocess
@@ -26,9 +27,12 @@ PATIENCE = 60  # for whatever is waited for [s]
 
 
 def free_port():
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return one.getsockname()[1]
+    """Below those that Linux gives to whoever connects, which may be taken before it is used."""
+    while True:
+        port = random.randrange(12000, 32000)
+        with socket.socket() as one:
+            if one.connect_ex(("127.0.0.1", port)) != 0:
+                return port
 
 
 class Robot:

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "robot_app/processes/launch/ros_master.h"
 #include "tests/support/folders.h"
 
 namespace coppice::robot {
@@ -30,9 +31,11 @@ constexpr std::chrono::seconds kStopPatience{30};
 const fs::path kSource = SourceFolder();
 const fs::path kBinary = BinaryFolder();
 
-// Below the ports that the system gives to whoever wants any; each test program has six of its own:
-// the ROS master's, four of the live view, the page's.
-int MasterPort() { return 20000 + getpid() % 2000 * 6; }
+// Each test program has six of its own: the ROS master's, four of the live view, the page's.
+int MasterPort() {
+  static const int port = processes::FreePort(6);
+  return port;
+}
 std::string MasterUri() { return "http://127.0.0.1:" + std::to_string(MasterPort()); }
 
 std::string Contents(const fs::path& file) {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <random>
 #include <thread>
 
 namespace coppice::robot::processes {
@@ -15,6 +16,11 @@ namespace {
 constexpr char kHost[] = "127.0.0.1";
 constexpr Duration kAnswerTime = std::chrono::seconds(1);
 constexpr Duration kPause = std::chrono::milliseconds(20);
+
+// Above the usual ports of services (ROS 11311), below ip_local_port_range of Linux.
+constexpr int kFirstPort = 12000;
+constexpr int kLastPort = 32000;
+constexpr int kMostTries = 1000;
 
 sockaddr_in Local(int port) {
   sockaddr_in address{};
@@ -33,21 +39,33 @@ bool SomebodyListens(int port) {
   return connected;
 }
 
+bool IsFree(int port) {
+  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const int yes = 1;  // what somebody else has closed just now is free
+  setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  const sockaddr_in address = Local(port);
+  const bool bound =
+      bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+  close(listener);
+  return bound;
+}
+
 }  // namespace
 
 std::string RosMaster::Uri() const {
   return "http://" + address.host + ":" + std::to_string(address.port);
 }
 
-int FreePort() {
-  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address = Local(0);
-  socklen_t size = sizeof(address);
-  const bool bound =
-      bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 &&
-      getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size) == 0;
-  close(listener);
-  return bound ? ntohs(address.sin_port) : 0;
+int FreePort(int in_a_row) {
+  std::random_device chance;
+  std::uniform_int_distribution<int> ports(kFirstPort, kLastPort - in_a_row + 1);
+  for (int i = 0; i < kMostTries; ++i) {
+    const int first = ports(chance);
+    int free = 0;
+    while (free < in_a_row && IsFree(first + free)) ++free;
+    if (free == in_a_row) return first;
+  }
+  return 0;
 }
 
 namespace {

@@ -17,8 +17,10 @@ struct RosMaster {
   std::string Uri() const;
 };
 
-/// A TCP port of this computer that nobody listens on. 0 if there is none.
-int FreePort();
+/// The first of so many TCP ports in a row on which nobody listens on this computer; others at each
+/// call, 0 if there are none. They lie below those that Linux gives to whoever connects: nobody is
+/// given one before it is used.
+int FreePort(int in_a_row = 1);
 
 /// Uses the master that answers at `port`, else starts one there; port 0 takes a free one. Fails if
 /// something else has the port, or if no master answers in time. Blocks until then.

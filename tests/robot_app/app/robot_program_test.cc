@@ -120,7 +120,7 @@ TEST_F(RobotProgramTest, TellsItsFiguresToPrometheus) {
 
 // What the node of the face draws, a watcher of the trees has in his hands.
 TEST_F(RobotProgramTest, ShowsItsFaceToThoseWhoWatchItsTrees) {
-  live_port_ = processes::FreePort();
+  live_port_ = processes::FreePort(4);  // two trees have two each
   Start();
   graph_.Start("expression", {processes::kPrograms + "coppice-expression"});
   LiveClientOptions options;

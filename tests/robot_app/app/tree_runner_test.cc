@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "bt_core/record/record_reader.h"
+#include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/eventually.h"
 
 namespace coppice::robot {
@@ -85,11 +86,12 @@ TEST_F(TreeRunnerTest, StopsATreeThatRunsForEver) {
 
 // A program of somebody else that has the port must not end the robot.
 TEST_F(TreeRunnerTest, RunsWithoutALiveSocketWhosePortIsTakenAndSaysSo) {
-  options_.live_port = 21667;
+  options_.live_port = processes::FreePort(2);
   const TreeRunner first(MakeProgram(), clock_, options_);
   EXPECT_EQ(RunRounds("3"), Status::kSuccess);
   const TreeRunner second(MakeProgram(), clock_, options_);
-  EXPECT_NE(second.LiveTrouble().find("21667"), std::string::npos) << second.LiveTrouble();
+  EXPECT_NE(second.LiveTrouble().find(std::to_string(options_.live_port)), std::string::npos)
+      << second.LiveTrouble();
   EXPECT_EQ(first.LiveTrouble(), "");
 }
 

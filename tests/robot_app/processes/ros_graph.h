@@ -49,8 +49,11 @@ class RosGraph {
     return graph;
   }
 
-  /// Of this test program, below the ports that the system gives to whoever wants any.
-  static int OwnPort() { return 10000 + getpid() % 10000; }
+  /// Of this test program, always the same.
+  static int OwnPort() {
+    static const int port = FreePort();
+    return port;
+  }
 
   ~RosGraph() {
     EndPrograms();

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 
 #include "tests/robot_app/processes/temporary.h"
 
@@ -51,7 +52,27 @@ TEST_F(RosMasterTest, RefusesAPortThatSomethingElseHas) {
   close(listener);
 }
 
-TEST(FreePort, IsAPortThatCanBeUsed) { EXPECT_GT(FreePort(), 1023); }
+// A port that Linux gives to whoever connects may be somebody's before it is used.
+TEST(FreePort, LiesBelowThePortsThatLinuxGivesAway) {
+  std::ifstream range("/proc/sys/net/ipv4/ip_local_port_range");
+  int first_given_away = 0;
+  range >> first_given_away;
+  EXPECT_LT(FreePort(), first_given_away);
+}
+
+TEST(FreePort, IsTheFirstOfAsManyInARowAsAreWanted) {
+  constexpr int kInARow = 4;
+  const int port = FreePort(kInARow);
+  for (int i = 0; i < kInARow; ++i) {
+    const int listener = socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port + i));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0) << i;
+    close(listener);
+  }
+}
 
 }  // namespace
 }  // namespace coppice::robot::processes
