@@ -50,7 +50,7 @@ void DrawFile(const Ui& ui, EditorState& state, std::size_t number) {
     if (row.clicked) workspace.ShowFileTree(number, -1, now);
     return;
   }
-  for (std::uint32_t d = 0; d < forest->documents().size(); ++d) {
+  for (std::uint32_t d = 0; d < forest->own_documents(); ++d) {
     const std::string document = FileName(forest->documents()[d]->file());
     const EditedFile* const edited = workspace.project().Find(forest->documents()[d]->file());
     const bool is_dirty = edited && edited->is_dirty();

@@ -8,17 +8,23 @@
 
 namespace coppice::editor {
 
-Forest Forest::FromFile(const std::string& path, Diagnostics& diagnostics,
-                        const DocumentReader& read) {
+Forest Forest::FromFile(const std::string& path, Diagnostics& diagnostics) {
+  std::optional<Project> project = Project::FromFile(path, diagnostics);
+  if (!project) return {};
+  const std::size_t documents = project->documents().size();
+  const std::string main_tree = project->main_tree();
+  return FromProject(*std::move(project), documents, main_tree);
+}
+
+Forest Forest::FromProject(Project project, std::size_t own_documents, std::string_view main_tree) {
   Forest forest;
-  std::optional<Project> project = Project::FromFiles({path}, diagnostics, {}, read);
-  if (!project) return forest;
-  forest.project_ = std::make_shared<const Project>(*std::move(project));
+  forest.project_ = std::make_shared<const Project>(std::move(project));
   for (const Document& document : forest.project_->documents()) {
     forest.documents_.push_back(&document);
   }
+  forest.own_documents_ = own_documents;
   forest.AddAll();
-  forest.ChooseMain(forest.project_->main_tree());
+  forest.ChooseMain(main_tree);
   return forest;
 }
 
@@ -26,6 +32,7 @@ Forest Forest::FromDocuments(std::vector<Document> documents, std::string_view m
   Forest forest;
   forest.texts_ = std::make_shared<const std::vector<Document>>(std::move(documents));
   for (const Document& document : *forest.texts_) forest.documents_.push_back(&document);
+  forest.own_documents_ = forest.documents_.size();
   forest.AddAll();
   forest.ChooseMain(main_tree);
   return forest;

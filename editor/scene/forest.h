@@ -1,5 +1,5 @@
-// The trees that can be shown together: those of a file with its includes, or those that a robot
-// runs. Immutable; views into it live as long as it does.
+// The trees that can be shown together: those of a file with its includes and of what is linked
+// with it, or those that a robot runs. Immutable; views into it live as long as it does.
 #ifndef COPPICE_EDITOR_SCENE_FOREST_H_
 #define COPPICE_EDITOR_SCENE_FOREST_H_
 
@@ -25,16 +25,19 @@ struct TreeEntry {
 
 class Forest {
  public:
-  /// A file with its includes. What is wrong goes to `diagnostics`; what can be read is shown. If
-  /// the file itself is malformed, there are no trees.
-  /// A reader gives what is being edited instead of what is on the disk.
-  static Forest FromFile(const std::string& path, Diagnostics& diagnostics,
-                         const DocumentReader& read = {});
+  /// A file with its includes, from the disk. What is wrong goes to `diagnostics`; what can be read
+  /// is shown. If the file itself is malformed, there are no trees.
+  static Forest FromFile(const std::string& path, Diagnostics& diagnostics);
+
+  /// Of a project the first documents are a file and its includes.
+  static Forest FromProject(Project project, std::size_t own_documents, std::string_view main_tree);
 
   /// Texts that belong together, whatever they include, in this order: those that a robot runs.
   static Forest FromDocuments(std::vector<Document> documents, std::string_view main_tree);
 
   const std::vector<const Document*>& documents() const { return documents_; }
+  /// So many of them, the first ones, are the file and its includes; all are those of a robot.
+  std::size_t own_documents() const { return own_documents_; }
   const std::vector<TreeEntry>& trees() const { return trees_; }
 
   /// The tags that nodes of these files have, each once.
@@ -61,6 +64,7 @@ class Forest {
   std::shared_ptr<const Project> project_;
   std::shared_ptr<const std::vector<Document>> texts_;  // if there is no project
   std::vector<const Document*> documents_;
+  std::size_t own_documents_ = 0;
   std::vector<TreeEntry> trees_;
   std::vector<std::string_view> used_tags_;
   int main_tree_ = -1;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "editor/files/linked_project.h"
 #include "editor/workspace/canvas_tabs.h"
 
 namespace coppice::editor {

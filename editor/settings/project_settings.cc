@@ -46,15 +46,6 @@ JsonValue ListOf(const char* name, const std::vector<std::string>& texts) {
 
 }  // namespace
 
-std::string ProjectFolder(const std::string& file) {
-  const fs::path own = Absolute(file).parent_path();
-  std::error_code error;
-  for (fs::path folder = own; folder != folder.root_path(); folder = folder.parent_path()) {
-    if (fs::exists(folder / ".git", error)) return folder.string();
-  }
-  return own.string();
-}
-
 std::string PathInProject(const std::string& folder, const std::string& file) {
   const fs::path path = Absolute(file).lexically_relative(folder);
   return IsBelow(path) ? path.string() : std::string();

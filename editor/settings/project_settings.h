@@ -31,9 +31,6 @@ struct ProjectSettings {
   std::vector<ProjectTree> trees;  ///< with a tab, in their order; then those with closed nodes
 };
 
-/// The nearest folder above the file with a `.git`, or else the file's own; absolute.
-std::string ProjectFolder(const std::string& file);
-
 /// The path of a file as one below that folder; empty: it is not.
 std::string PathInProject(const std::string& folder, const std::string& file);
 

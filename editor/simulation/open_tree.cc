@@ -6,25 +6,14 @@
 
 namespace coppice::editor {
 
-std::optional<Project> ReadOpenProject(OpenProject& files, const std::string& path,
-                                       Diagnostics& diagnostics) {
-  const auto read = [&files](const std::string& wanted, Diagnostics& problems) {
-    const EditedFile* edited = files.Open(wanted, problems);
-    if (!edited) return std::optional<Document>();
-    problems.Append(edited->problems);
-    return edited->document;
-  };
-  return Project::FromFiles({path}, diagnostics, {}, read);
-}
-
 std::shared_ptr<const Program> CompileOpenTree(OpenProject& files, const std::string& path,
                                                const std::string& tree_id, const Project* models,
                                                Diagnostics& diagnostics) {
-  std::optional<Project> project = ReadOpenProject(files, path, diagnostics);
-  if (!project) return nullptr;
-  const auto registry = ScenarioRegistry(*project, models);
-  return Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics,
-                 tree_id);
+  std::optional<LinkedProject> linked = ReadLinked(files, path, diagnostics);
+  if (!linked) return nullptr;
+  const auto registry = ScenarioRegistry(linked->project, models);
+  return Compile(std::make_shared<const Project>(std::move(linked->project)), registry, diagnostics,
+                 tree_id.empty() ? linked->main_tree : tree_id);
 }
 
 }  // namespace coppice::editor

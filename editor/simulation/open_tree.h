@@ -3,21 +3,17 @@
 #define COPPICE_EDITOR_SIMULATION_OPEN_TREE_H_
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "bt_core/engine/program.h"
 #include "bt_core/model/project.h"
-#include "editor/files/open_project.h"
+#include "editor/files/linked_project.h"
 
 namespace coppice::editor {
 
-/// A file and its includes. Nothing if there are errors.
-std::optional<Project> ReadOpenProject(OpenProject& files, const std::string& path,
-                                       Diagnostics& diagnostics);
-
-/// The tree of that ID (empty: the main tree) of a file and its includes; `models` (may be null)
-/// describe node types that the project does not. Null if there are errors.
+/// The tree of that ID (empty: the main tree) of a file and of what is linked with it
+/// (linked_project.h); `models` (may be null) describe node types that the project does not. Null
+/// if there are errors.
 std::shared_ptr<const Program> CompileOpenTree(OpenProject& files, const std::string& path,
                                                const std::string& tree_id, const Project* models,
                                                Diagnostics& diagnostics);

@@ -11,7 +11,7 @@
 #include "bt_core/analysis/play/scenario_models.h"
 #include "bt_core/testing/random_suite.h"
 #include "bt_core/testing/scenario_writer.h"
-#include "editor/simulation/open_tree.h"
+#include "editor/files/linked_project.h"
 
 namespace coppice::editor {
 namespace {

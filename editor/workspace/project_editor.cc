@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 
+#include "bt_core/engine/compile/sibling_files.h"
 #include "bt_core/model/element_edits.h"
 #include "bt_core/model/write_file.h"
 #include "bt_core/model/xml_text.h"
@@ -26,15 +28,32 @@ ElementIndex LastTreeOf(const Document& document) {
   return last;
 }
 
+// One of them uses trees of the other, or both those of a third one.
+bool SharesAFile(const Forest& one, const Forest& other) {
+  return std::any_of(one.documents().begin(), one.documents().end(), [&](const Document* mine) {
+    return std::any_of(other.documents().begin(), other.documents().end(),
+                       [&](const Document* theirs) { return mine->file() == theirs->file(); });
+  });
+}
+
 }  // namespace
 
 ProjectFiles ProjectEditor::Files() const {
   ProjectFiles files;
-  const Forest* forest = state_.workspace.forest();
-  if (!forest || !state_.workspace.file()) return files;
-  for (const Document* document : forest->documents()) {
-    const EditedFile* file = state_.workspace.project().Find(document->file());
-    if (file && file->document) files.push_back(*file->document);
+  const Workspace& workspace = state_.workspace;
+  if (!workspace.file()) return files;
+  std::set<std::string> known;
+  const auto add = [&](const Forest& forest) {
+    for (const Document* document : forest.documents()) {
+      const EditedFile* const file = workspace.project().Find(document->file());
+      const bool is_new = file && file->document && known.insert(file->path).second;
+      if (is_new) files.push_back(*file->document);
+    }
+  };
+  const Forest& shown = *workspace.file()->forest;
+  add(shown);
+  for (const OpenFile& other : workspace.files()) {
+    if (SharesAFile(shown, *other.forest)) add(*other.forest);
   }
   return files;
 }
@@ -223,10 +242,21 @@ std::string ProjectEditor::TreeAroundSelection() const {
 bool ProjectEditor::ShowTree(const std::string& id) {
   Workspace& workspace = state_.workspace;
   if (!workspace.file()) return false;
-  const auto number = static_cast<std::size_t>(workspace.file() - workspace.files().data());
-  const int tree = workspace.forest()->Find(id);
+  const auto& files = workspace.files();
+  const auto number = static_cast<std::size_t>(workspace.file() - files.data());
+  const Forest& forest = *workspace.forest();
+  const int tree = forest.Find(id);
   if (tree < 0) return false;
-  workspace.ShowFileTree(number, tree, now_);
+  const std::uint32_t document = forest.trees()[static_cast<std::size_t>(tree)].document;
+  const auto own = std::find_if(files.begin(), files.end(), [&](const OpenFile& file) {
+    return document >= forest.own_documents() && file.path == forest.documents()[document]->file();
+  });
+  if (own == files.end()) {
+    workspace.ShowFileTree(number, tree, now_);
+  } else {
+    workspace.ShowFileTree(static_cast<std::size_t>(own - files.begin()), own->forest->Find(id),
+                           now_);
+  }
   return true;
 }
 
@@ -237,7 +267,16 @@ Outcome ProjectEditor::GoToDefinition() {
   const ElementIndex element = document.ElementAt(places[0].offset);
   const std::string id(TypeOf(document, element));
   if (document.element(element).tag.substr(0, 7) != "SubTree") return Problem{kNotASubTree};
-  return ShowTree(id) ? Outcome() : Problem{"there is no tree " + id};
+  if (ShowTree(id) || OpenTreeBeside(document.file(), id)) return {};
+  return Problem{"there is no tree " + id};
+}
+
+// Many projects have a file for each tree, which include nothing: the robot reads them all.
+bool ProjectEditor::OpenTreeBeside(const std::string& path, const std::string& id) {
+  const std::string file = SiblingFiles().FindTree(path, id);
+  if (file.empty()) return false;
+  state_.workspace.Open((std::filesystem::path(path).parent_path() / file).string(), now_);
+  return ShowTree(id);
 }
 
 }  // namespace coppice::editor

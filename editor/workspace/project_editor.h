@@ -53,7 +53,8 @@ class ProjectEditor {
   void GoTo(const std::string& path, std::uint32_t offset);
   /// Shows the tree of that ID; false if there is none.
   bool ShowTree(const std::string& id);
-  /// Shows the tree that the selected SubTree stands for.
+  /// Shows the tree that the selected SubTree stands for; opens the file beside the shown one that
+  /// has it if the shown ones do not.
   Outcome GoToDefinition();
 
   /// ID of the tree in which the selected node is defined: that of the SubTree which it was opened
@@ -63,6 +64,7 @@ class ProjectEditor {
  private:
   const NodeModels& Models() const { return *state_.workspace.file()->models; }
   Outcome CheckId(const std::string& id) const;
+  bool OpenTreeBeside(const std::string& path, const std::string& id);
 
   EditorState& state_;
   const double now_;

@@ -13,6 +13,7 @@
 #include "bt_core/engine/compile/check_project.h"
 #include "bt_core/engine/compile/model_registry.h"
 #include "editor/document/shown_problems.h"
+#include "editor/files/linked_project.h"
 #include "editor/live/record_source.h"
 
 namespace coppice::editor {
@@ -41,6 +42,17 @@ std::shared_ptr<const NodeModels> ModelsOf(const Forest& forest, const std::vect
   return std::make_shared<const NodeModels>(ModelsFor(given, forest.documents()));
 }
 
+// The files that are linked with it say theirs themselves.
+std::vector<Diagnostic> ProblemsOfItsOwn(const Forest& forest, std::vector<Diagnostic> problems) {
+  std::unordered_set<std::string> others;
+  for (std::size_t i = forest.own_documents(); i < forest.documents().size(); ++i) {
+    others.insert(forest.documents()[i]->file());
+  }
+  const auto is_of_others = [&](const Diagnostic& one) { return others.count(one.where.file) > 0; };
+  problems.erase(std::remove_if(problems.begin(), problems.end(), is_of_others), problems.end());
+  return problems;
+}
+
 // What a text says about node types, as a file of its own.
 std::string ModelsOf(const Document& document) {
   std::string text = "<root BTCPP_format=\"4\">";
@@ -57,13 +69,11 @@ OpenFile Workspace::Load(const std::string& path) {
   OpenFile file;
   file.path = path;
   Diagnostics diagnostics;
-  const auto read = [this](const std::string& wanted, Diagnostics& problems) {
-    const EditedFile* edited = project_.Open(wanted, problems);
-    if (!edited) return std::optional<Document>();
-    problems.Append(edited->problems);
-    return edited->document;
-  };
-  file.forest = std::make_shared<const Forest>(Forest::FromFile(path, diagnostics, read));
+  std::optional<LinkedProject> linked = ReadLinked(project_, path, diagnostics);
+  file.forest = std::make_shared<const Forest>(
+      linked ? Forest::FromProject(std::move(linked->project), linked->own_documents,
+                                   linked->main_tree)
+             : Forest());
   file.read_problems = diagnostics.all();
   file.models = ModelsOf(*file.forest, model_projects_, run_models_);
   const EditedFile* edited = project_.Find(path);
@@ -97,8 +107,7 @@ bool Workspace::Open(const std::string& path, double now) {
     if (file_ != static_cast<int>(at)) ShowFileTree(at, main, now);
     return main >= 0;
   }
-  files_.push_back(Load(path));
-  shown_version_ = project_.version();
+  Add(path, now);
   check_at_ = now;  // the tree is shown first
   const int main = files_[at].forest->main_tree();
   ShowFileTree(at, main, now);
@@ -109,10 +118,27 @@ void Workspace::OpenBehind(const std::string& path, double now) {
   const bool is_open = std::any_of(files_.begin(), files_.end(),
                                    [&](const OpenFile& file) { return file.path == path; });
   if (is_open) return;
-  files_.push_back(Load(path));
-  shown_version_ = project_.version();
+  Add(path, now);
   look_at_ = std::min(look_at_, now + kLookDelay);
   check_at_ = std::min(check_at_, now);
+}
+
+// Those whose trees were missing have them now.
+void Workspace::Add(const std::string& path, double now) {
+  files_.push_back(Load(path));
+  shown_version_ = project_.version();
+  const std::string shown = ShownTreeId();
+  const std::shared_ptr<const Forest> added = files_.back().forest;
+  for (std::size_t at = 0; at + 1 < files_.size(); ++at) {
+    const std::shared_ptr<const Project>& project = files_[at].forest->project();
+    if (!project) continue;
+    const std::vector<std::string> missing = MissingTrees(*project);
+    const bool gains = std::any_of(missing.begin(), missing.end(),
+                                   [&](const std::string& id) { return added->Find(id) >= 0; });
+    if (!gains) continue;
+    Renew(at);
+    if (file_ == static_cast<int>(at)) ShowFileTree(at, files_[at].forest->Find(shown), now);
+  }
 }
 
 std::string Workspace::New(double now) {
@@ -194,7 +220,7 @@ void Workspace::CheckAll() {
     coppice::AddModels(*file.forest->project(), *registry);
     CheckProject(file.forest->project(), registry, {}, diagnostics);
     std::vector<Diagnostic> problems = file.read_problems;
-    AddOnce(problems, diagnostics.all());
+    AddOnce(problems, ProblemsOfItsOwn(*file.forest, diagnostics.all()));
     const EditedFile* edited = project_.Find(file.path);
     file.problems = ShownProblems(problems, edited && edited->is_new);
   }

@@ -157,6 +157,7 @@ class Workspace {
     std::shared_ptr<const void> models;
   };
   static std::size_t Index(int number) { return static_cast<std::size_t>(number); }
+  void Add(const std::string& path, double now);
   OpenFile Load(const std::string& path);
   void Renew(std::size_t file);
   void LoadAll(double now);

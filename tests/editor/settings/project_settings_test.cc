@@ -63,14 +63,6 @@ TEST(ProjectSettings, OfAProjectWithTooManyFilesHaveTheFirst) {
   EXPECT_EQ(read.files.front(), "0.xml");
 }
 
-TEST(ProjectFolder, IsTheWorkingTreeOfGitOrElseTheFolderOfTheFile) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directories(folder.Path("robot/.git"));
-  std::filesystem::create_directories(folder.Path("robot/trees/deep"));
-  EXPECT_EQ(ProjectFolder(folder.Path("robot/trees/deep/a.xml")), folder.Path("robot"));
-  EXPECT_EQ(ProjectFolder(folder.Path("b.xml")), folder.path());
-}
-
 TEST(PathInProject, IsEmptyForAFileElsewhere) {
   EXPECT_EQ(PathInProject("/a/robot", "/a/robot/trees/x.xml"), "trees/x.xml");
   EXPECT_EQ(PathInProject("/a/robot", "/a/robot2/x.xml"), "");

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/editor/driver.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::editor {
 namespace {
@@ -81,6 +82,53 @@ TEST_F(ProjectEditorTest, LeadsToTheDefinition) {
   Select("1.2");
   EXPECT_EQ(Edit().GoToDefinition().problem(), "");
   EXPECT_EQ(driver_.editor.state().workspace.ShownTreeId(), "Walk");
+}
+
+// A robot that reads a folder of trees, each in a file that includes nothing.
+class FilesBesideTest : public testing::Test {
+ protected:
+  FilesBesideTest() {
+    WriteFile(pick_, R"(<root BTCPP_format="4"><BehaviorTree ID="Pick"><Sequence>)"
+                     R"(<SubTree ID="Open Gripper"/></Sequence></BehaviorTree></root>)");
+    WriteFile(gripper_, R"(<root BTCPP_format="4"><BehaviorTree ID="Open Gripper">)"
+                        R"(<AlwaysSuccess name="wide"/></BehaviorTree></root>)");
+    driver_.editor.Open(pick_);
+    driver_.Frames();
+  }
+  Workspace& workspace() { return driver_.editor.state().workspace; }
+  ProjectEditor Edit() { return ProjectEditor(driver_.editor.state(), driver_.editor.now()); }
+  void SelectSubTree() { driver_.view().Select(driver_.view().scene()->FindPath("1.1")); }
+
+  const TemporaryFolder folder_;
+  const std::string pick_ = folder_.Path("pick.xml");
+  const std::string gripper_ = folder_.Path("open_gripper.xml");
+  Driver driver_;
+};
+
+TEST_F(FilesBesideTest, TheOneThatHasTheTreeOfASubTreeIsOpenedWhenTheUserGoesThere) {
+  SelectSubTree();
+  EXPECT_EQ(Edit().GoToDefinition().problem(), "");
+  EXPECT_EQ(workspace().ShownTreeId(), "Open Gripper");
+  EXPECT_EQ(workspace().file()->path, gripper_);
+  EXPECT_EQ(workspace().files().size(), 2U);
+}
+
+TEST_F(FilesBesideTest, ATreeOfAnotherOpenFileIsNotMissing) {
+  ASSERT_EQ(workspace().files()[0].problems.size(), 1U);
+  driver_.editor.Open(gripper_);
+  driver_.Frames();
+  EXPECT_TRUE(workspace().files()[0].problems.empty());
+  EXPECT_TRUE(workspace().files()[1].problems.empty());
+  workspace().ShowFileTree(0, 0, driver_.editor.now());
+  EXPECT_NE(driver_.view().scene()->FindPath("1.1.1"), kNoSceneNode) << "it is written out";
+}
+
+TEST_F(FilesBesideTest, ATreeIsRenamedInAllOpenFilesThatUseIt) {
+  driver_.editor.Open(gripper_);
+  driver_.Frames();
+  EXPECT_EQ(Edit().RenameTree("Open").problem(), "");
+  EXPECT_THAT(workspace().project().Find(pick_)->text, HasSubstr(R"(<SubTree ID="Open"/>)"));
+  EXPECT_THAT(workspace().project().Find(gripper_)->text, HasSubstr(R"(ID="Open">)"));
 }
 
 }  // namespace
