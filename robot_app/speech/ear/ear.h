@@ -7,6 +7,7 @@
 //   Ear ear({}, Listening::kAlways);
 //   ear.set_speaks(mouth.speaks(), now);
 //   if (auto utterance = ear.Hear(samples, now)) listener.Listen(*utterance, language, who);
+//   if (heard.pause && !ear.End(*heard.pause)) return;          // of the listener: he goes on
 //
 // For one thread.
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_EAR_H_
@@ -38,6 +39,10 @@ class Ear {
 
   /// The utterance in a sound of any rate that somebody has recorded, if there is one.
   std::optional<Utterance> HearWhole(const Sound& sound) const;
+
+  /// Ends the utterance that has paused: what was said is all that is wanted. False if he goes on,
+  /// or if it is over already.
+  bool End(int pause) { return activity_.End(pause); }
 
   /// Whether the mouth speaks; what was heard up to now is dropped.
   void set_speaks(bool speaks, Time now);

@@ -40,7 +40,7 @@ void Listener::Listen(Utterance utterance, Language language, std::string who,
     if (!tasks_.empty() && !tasks_.back().utterance.has_ended) tasks_.pop_back();
     if (tasks_.size() >= kMostTasks) tasks_.pop_front();
     tasks_.push_back(
-        {std::move(utterance), {{}, language, std::move(who), {}}, std::move(expected)});
+        {std::move(utterance), {{}, language, std::move(who), {}, {}}, std::move(expected)});
   }
   changed_.notify_all();
 }
@@ -72,6 +72,16 @@ void Listener::Foresee(Task task) {
   if (MayAskService() || task.heard.language != Language::kEnglish) return;
   task.heard.alternatives = RecognizeOffline(task);
   foreseen_ = std::move(task);
+  if (!IsAllSaid(*foreseen_)) return;
+  HeardUtterance heard = foreseen_->heard;
+  heard.pause = foreseen_->utterance.pause;
+  on_heard_(heard);
+}
+
+// An answer to a question is short, and often goes on: "no, the second one".
+bool Listener::IsAllSaid(const Task& task) const {
+  return settings_.ends_early && settings_.understanding.url.empty() && complete_ &&
+         task.expected.empty() && complete_->IsSaid(task.heard.alternatives, settings_.least_sure);
 }
 
 bool Listener::IsForeseen(const Task& task) const {
@@ -143,8 +153,10 @@ Outcome Listener::Refresh() {
   recognizer_.reset();
   foreseen_.reset();
   names_ = knowledge::Names(*database_);
-  auto made = Recognizer::Make(settings_.model, {*intents_, *words_, names_, Language::kEnglish});
+  const SpokenLanguage spoken{*intents_, *words_, names_, Language::kEnglish};
+  auto made = Recognizer::Make(settings_.model, spoken);
   if (!made) return Problem{made.problem()};
+  complete_ = std::make_unique<CompleteRequest>(spoken);
   recognizer_ = *std::move(made);
   version_ = version;
   return {};

@@ -1,7 +1,8 @@
 // Utterances to text, on a thread of its own: by a service where there is one that answers, else by
 // pocketsphinx with a grammar of what the robot knows now. The grammar is made at the start or when
 // the first utterance comes, and anew after an import of the knowledge. While somebody pauses,
-// what he has said until then is recognized already: if he is done, the text is there at once.
+// what he has said until then is recognized already: if he is done, the text is there at once. What
+// is a whole request and sure (complete_request.h) is told before that is certain.
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 #define COPPICE_ROBOT_APP_SPEECH_EAR_LISTENER_H_
 
@@ -17,6 +18,7 @@
 
 #include "robot_app/knowledge/store/database.h"
 #include "robot_app/knowledge/understanding/told_meaning.h"
+#include "robot_app/speech/ear/complete_request.h"
 #include "robot_app/speech/ear/recognizer.h"
 #include "robot_app/speech/ear/voice_activity.h"
 #include "robot_app/speech/endpoint/service_pause.h"
@@ -29,6 +31,8 @@ struct ListenerSettings {
   std::string model = kEnglishModel;  ///< of pocketsphinx
   SpeechService service;
   SpeechService understanding;  ///< of what is surely said; no url: the robot itself understands
+  bool ends_early = true;  ///< tells a whole request in a pause; not if the service understands
+  double least_sure = knowledge::kSureEnough;  ///< that a request is meant, to be told then
   bool prepares =
       false;  ///< makes the grammar at the start, so that the first does not wait for it
 };
@@ -38,6 +42,7 @@ struct HeardUtterance {
   knowledge::Language language = knowledge::Language::kEnglish;
   std::string who;
   std::optional<knowledge::ToldMeaning> told;  ///< by the service for understanding
+  std::optional<int> pause;  ///< he has only paused: of no account if he has gone on (Ear::End)
 };
 
 class Listener {
@@ -53,7 +58,7 @@ class Listener {
 
   /// Any thread; returns at once. More than three that wait are too many: the oldest is dropped.
   /// `expected`: the names of which one is expected, or yes or no, as the robot has asked back.
-  /// Of an utterance that only pauses nobody is told.
+  /// An utterance that only pauses is told if it is a whole request, and again when it has ended.
   void Listen(Utterance utterance, knowledge::Language language, std::string who,
               std::vector<std::string> expected = {});
 
@@ -69,6 +74,7 @@ class Listener {
   std::vector<knowledge::Alternative> Recognize(const Task& task);
   std::vector<knowledge::Alternative> RecognizeOffline(const Task& task);
   void Foresee(Task task);
+  bool IsAllSaid(const Task& task) const;
   bool IsForeseen(const Task& task) const;
   bool MayAskService() const;
   std::optional<knowledge::ToldMeaning> AskWhatIsMeant(const HeardUtterance& heard, Instant begin);
@@ -86,6 +92,7 @@ class Listener {
   std::optional<knowledge::LanguageWords> words_;  // English
   std::vector<knowledge::Name> names_;
   std::unique_ptr<Recognizer> recognizer_;
+  std::unique_ptr<CompleteRequest> complete_;
   std::optional<Task> foreseen_;  // recognized while he paused
 
   std::mutex mutex_;

@@ -63,8 +63,12 @@ bool VoiceActivity::has_ended() const {
                         static_cast<double>(heard_.size()) > settings_.longest * kHearingRate);
 }
 
+int VoiceActivity::frames_of_pause() const {
+  return static_cast<int>(std::lround(settings_.pauses_after * kFramesPerSecond));
+}
+
 bool VoiceActivity::has_paused() const {
-  return in_speech_ && quiet_ == std::lround(settings_.pauses_after * kFramesPerSecond) &&
+  return in_speech_ && quiet_ == frames_of_pause() &&
          speech_ >= settings_.shortest * kFramesPerSecond;
 }
 
@@ -74,7 +78,10 @@ std::optional<Utterance> VoiceActivity::Hear(const std::vector<std::int16_t>& sa
   std::size_t at = 0;
   for (; at + kFrame <= rest_.size(); at += kFrame) {
     Frame(rest_.data() + at);
-    if (has_paused()) utterance = SoFar(false);
+    if (has_paused()) {
+      ++pause_;
+      utterance = SoFar(false);
+    }
     if (!has_ended()) continue;
     if (auto ended = Finish()) utterance = std::move(ended);
   }
@@ -86,7 +93,7 @@ Utterance VoiceActivity::SoFar(bool has_ended) const {
   const double silence = (quiet_ - settings_.pauses_after * kFramesPerSecond) * kFrame;
   const double most = static_cast<double>(heard_.size());
   const auto end = heard_.end() - static_cast<std::ptrdiff_t>(std::clamp(silence, 0.0, most));
-  return {{kHearingRate, {heard_.begin(), end}}, has_ended};
+  return {{kHearingRate, {heard_.begin(), end}}, has_ended, pause_};
 }
 
 std::optional<Utterance> VoiceActivity::Finish() {
@@ -96,7 +103,14 @@ std::optional<Utterance> VoiceActivity::Finish() {
   return utterance;
 }
 
+bool VoiceActivity::End(int pause) {
+  if (!in_speech_ || pause != pause_ || quiet_ < frames_of_pause()) return false;
+  Reset();
+  return true;
+}
+
 void VoiceActivity::Reset() {
+  ++pause_;  // what may still be said of the last one comes too late
   heard_.clear();
   in_speech_ = false;
   loud_ = quiet_ = speech_ = 0;

@@ -3,6 +3,7 @@
 //
 //   VoiceActivity activity({});
 //   if (auto utterance = activity.Hear(samples)) ...            // it has ended, or pauses
+//   if (is_all_that_he_wants && activity.End(utterance->pause)) ...  // and has not gone on
 //
 // The noise is followed: it sinks at once and rises slowly, so that a machine that is switched on
 // is no speech for ever. For one thread.
@@ -21,14 +22,15 @@ namespace coppice::robot::speech {
 struct Utterance {
   Sound sound;
   bool has_ended = true;  ///< else he pauses; if nothing follows, the same comes when it has ended
+  int pause = 0;          ///< its number if he pauses
 };
 
 struct ActivitySettings {
   double above_noise = 6;      ///< what is louder is speech [dB]
   double begins_after = 0.06;  ///< s of it, one after the other
   double ends_after = 0.6;     ///< s of silence
-  double pauses_after = 0.2;   ///< s of silence; as much of it belongs to the utterance
-  double before = 0.3;         ///< s of what was heard before belong to it
+  double pauses_after = 0.15;  ///< s of silence; as much of it belongs to the utterance
+  double before = 0.4;         ///< s of what was heard before belong to it
   double shortest = 0.18;      ///< s of speech, a "yes"; less was a noise
   double longest = 12;         ///< s; then it is over
 };
@@ -41,6 +43,8 @@ class VoiceActivity {
   std::optional<Utterance> Hear(const std::vector<std::int16_t>& samples);
   /// The utterance up to now, if there is one: a button was released.
   std::optional<Utterance> Finish();
+  /// Ends the utterance that has paused, if nothing has been heard of it since.
+  bool End(int pause);
   /// Forgets what was heard, but for the noise.
   void Reset();
 
@@ -55,6 +59,7 @@ class VoiceActivity {
   void Frame(const std::int16_t* samples);
   double LevelOf(const std::int16_t* samples);
   bool has_ended() const;
+  int frames_of_pause() const;
   bool has_paused() const;
   Utterance SoFar(bool has_ended) const;
 
@@ -67,6 +72,7 @@ class VoiceActivity {
   bool in_speech_ = false;
   int loud_ = 0, quiet_ = 0;  // frames, one after the other
   int speech_ = 0;            // loud frames of the utterance
+  int pause_ = 0;             // number of the last one
 };
 
 }  // namespace coppice::robot::speech

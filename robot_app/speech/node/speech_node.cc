@@ -93,7 +93,8 @@ void SpeechNode::Serve() {
   services_.push_back(node_.advertiseService("/speech/hear_file", &SpeechNode::OnHearFile, this));
   listener_ = std::make_unique<Listener>(
       ListenerSettings{settings_.knowledge, Shipped(COPPICE_LANGUAGE_FOLDER), kEnglishModel,
-                       settings_.transcription, settings_.understanding, !parts_.device.empty()},
+                       settings_.transcription, settings_.understanding, settings_.ends_early,
+                       settings_.least_confidence, !parts_.device.empty()},
       [this](const HeardUtterance& heard) { SpinnerTask::Post([this, heard] { OnHeard(heard); }); },
       Warn);
   if (parts_.device.empty()) return;
@@ -132,6 +133,7 @@ void SpeechNode::Listen(Utterance utterance, const std::string& who) {
 }
 
 void SpeechNode::OnHeard(const HeardUtterance& utterance) {
+  if (utterance.pause && !ear_.End(*utterance.pause)) return;  // he goes on
   coppice_msgs::Heard heard;
   heard.header.stamp = ros::Time::now();
   heard.language = Code(utterance.language);

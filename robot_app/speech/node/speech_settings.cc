@@ -37,6 +37,7 @@ Parameters ParametersOf(SpeechSettings& settings) {
            "that it was meant; else it asks back"},
           {"above_noise", &activity.above_noise, 1, 60, "louder than this is speech [dB]"},
           {"ends_after", &activity.ends_after, 0.1, 5, "of silence an utterance has ended [s]"},
+          {"ends_early", &settings.ends_early, "a sure and whole request has ended at once"},
           {"tail", &settings.ear.tail, 0, 5, "the ear stays shut after the mouth [s]"},
           {"voice_en", &settings.voices.english, "a voice of espeak-ng"},
           {"voice_de", &settings.voices.german, "a voice of espeak-ng"},

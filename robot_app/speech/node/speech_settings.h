@@ -23,6 +23,7 @@ struct SpeechSettings {
   std::string microphone = "none";
   bool push_to_talk = false;
   bool answers_aloud = true;
+  bool ends_early = true;  ///< answers a whole request that is sure without waiting
   double least_confidence = knowledge::kSureEnough;  ///< that it was meant; else it asks back
   EarSettings ear;
   VoiceSettings voices;

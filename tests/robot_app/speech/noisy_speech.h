@@ -34,6 +34,24 @@ inline double PowerOf(const std::vector<double>& samples) {
   return sum / static_cast<double>(samples.size());
 }
 
+/// The sound with that much silence from a moment on [s].
+inline Sound WithPause(const Sound& sound, double moment, double seconds) {
+  const auto at = std::min(static_cast<std::size_t>(sound.rate * moment), sound.samples.size());
+  Sound paused = sound;
+  paused.samples.insert(paused.samples.begin() + static_cast<std::ptrdiff_t>(at),
+                        static_cast<std::size_t>(sound.rate * seconds), 0);
+  return paused;
+}
+
+/// When the last sample is as loud as 2 % of the loudest one [s].
+inline double LastSoundOf(const Sound& sound) {
+  int loudest = 0;
+  for (const int sample : sound.samples) loudest = std::max(loudest, std::abs(sample));
+  const auto last = std::find_if(sound.samples.rbegin(), sound.samples.rend(),
+                                 [loudest](int sample) { return std::abs(sample) > loudest / 50; });
+  return static_cast<double>(sound.samples.rend() - last) / sound.rate;
+}
+
 /// The sound at half its loudness, with some seconds before and behind it, in noise whose power
 /// lies `snr` below that of the speech [dB].
 inline Sound InNoise(const Sound& speech, double snr, unsigned seed, double seconds = 0.3) {

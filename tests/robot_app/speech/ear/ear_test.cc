@@ -46,6 +46,7 @@ class EarTest : public testing::Test {
       if (auto heard = ear.Hear(
               {samples.begin() + static_cast<long>(at), samples.begin() + static_cast<long>(end)},
               now_)) {
+        last_pause_ = heard->pause;
         (heard->has_ended ? utterances : pauses_).push_back(std::move(heard->sound));
       }
       now_ += std::chrono::milliseconds(20);
@@ -55,6 +56,7 @@ class EarTest : public testing::Test {
 
   Time now_{};
   std::vector<Sound> pauses_;  // what had been said until then
+  int last_pause_ = 0;
 };
 
 TEST_F(EarTest, HearsAnUtteranceAsLongAsItIs) {
@@ -75,6 +77,45 @@ TEST_F(EarTest, WhatWasSaidUntilAPauseIsKnownBeforeItIsTheEnd) {
   ASSERT_EQ(heard.size(), 1U);
   EXPECT_GT(pauses_[1].samples.size(), pauses_[0].samples.size() + spoken.size() / 2);
   EXPECT_EQ(heard[0].samples, pauses_[1].samples);
+}
+
+TEST_F(EarTest, AnUtteranceThatIsAllMayEndInItsPause) {
+  Ear ear({}, Listening::kAlways);
+  Hear(ear, Noise(1, kQuiet) + Spoken("where is the library", kQuiet) + Noise(0.2, kQuiet));
+  ASSERT_FALSE(pauses_.empty());
+  EXPECT_TRUE(ear.hears());
+  EXPECT_TRUE(ear.End(last_pause_));
+  EXPECT_FALSE(ear.hears());
+  EXPECT_FALSE(ear.End(last_pause_));
+  EXPECT_TRUE(Hear(ear, Noise(2, kQuiet)).empty());  // it was told already
+}
+
+TEST_F(EarTest, WhoHasGoneOnSinceThePauseIsNotCut) {
+  Ear ear({}, Listening::kAlways);
+  const Samples spoken = Spoken("library", kQuiet);
+  Hear(ear, Noise(1, kQuiet) + spoken + Noise(0.2, kQuiet));
+  const int first = last_pause_;
+  Hear(ear, Samples(spoken.begin(), spoken.begin() + kHearingRate / 5));
+  EXPECT_FALSE(ear.End(first));
+  Samples rest(spoken.begin() + kHearingRate / 5, spoken.end());
+  Hear(ear, rest + Noise(0.2, kQuiet));
+  EXPECT_FALSE(ear.End(first));  // another pause
+  const auto heard = Hear(ear, Noise(1, kQuiet));
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_GT(heard[0].samples.size(), 2 * spoken.size());
+}
+
+TEST_F(EarTest, APauseEndsNoLaterUtterance) {
+  Ear ear({}, Listening::kAlways);
+  const Samples spoken = Spoken("where is the library", kQuiet);
+  Hear(ear, Noise(1, kQuiet) + spoken + Noise(0.2, kQuiet));
+  const int first = last_pause_;
+  EXPECT_EQ(Hear(ear, Noise(1, kQuiet)).size(), 1U);
+  EXPECT_FALSE(ear.End(first));  // it is over
+  Hear(ear, spoken);
+  EXPECT_FALSE(ear.End(first));
+  ear.set_speaks(true, now_);
+  EXPECT_FALSE(ear.End(last_pause_));
 }
 
 TEST_F(EarTest, TwoUtterancesAreTwo) {

@@ -32,11 +32,15 @@ class ListenerTest : public testing::Test {
   }
 
   HeardUtterance Heard(const ListenerSettings& settings, Language language = Language::kEnglish) {
+    return Heard(settings, {said_}, language);
+  }
+  HeardUtterance Heard(const ListenerSettings& settings, Utterance utterance,
+                       Language language = Language::kEnglish) {
     std::promise<HeardUtterance> heard;
     Listener listener(
         settings, [&](const HeardUtterance& utterance) { heard.set_value(utterance); },
         [this](const std::string& problem) { problem_ = problem; });
-    listener.Listen({said_}, language, "visitor");
+    listener.Listen(std::move(utterance), language, "visitor");
     auto answer = heard.get_future();
     if (answer.wait_for(std::chrono::seconds(60)) != std::future_status::ready) return {};
     return answer.get();
@@ -54,12 +58,20 @@ TEST_F(ListenerTest, HearsOfflineWithoutAService) {
   EXPECT_EQ(problem_, "");
 }
 
-TEST_F(ListenerTest, OfAPauseNobodyIsToldAndItIsNotTakenForWhatFollows) {
+TEST_F(ListenerTest, AWholeRequestIsToldInThePauseAlready) {
+  const HeardUtterance heard = Heard(Settings(), {said_, false, 7});
+  EXPECT_EQ(TextOf(heard), "where is the reading room");
+  EXPECT_EQ(heard.pause, 7);
+}
+
+TEST_F(ListenerTest, WhereItMayNotEndEarlyOfAPauseNobodyIsToldAndItIsNotTakenForWhatFollows) {
   const Sound other = Synthesizer().Speak("where is the copy shop", {"en-us+f2", 140})->sound;
   std::vector<std::string> texts;
   std::promise<void> all;
+  ListenerSettings settings = Settings();
+  settings.ends_early = false;
   Listener listener(
-      Settings(),
+      settings,
       [&](const HeardUtterance& heard) {
         texts.push_back(TextOf(heard));
         if (heard.who == "last") all.set_value();
