@@ -51,19 +51,29 @@ AssistanceNode::AssistanceNode(ros::NodeHandle& node, HelpDesk& desk, const Cloc
   requests_ = node.advertise<coppice_msgs::HelpRequests>("/assistance/requests", 10, true);
   answers_ = node.advertise<coppice_msgs::HelpRequest>("/assistance/answers", 20);
   Advertise<coppice_msgs::AskForHelp>(node, "ask", [this](auto& request, auto& response) {
-    response.id =
+    const Expected<std::uint32_t> id =
         desk_.Ask(request.subject, request.question, clock_.Now(), ToDeadline(request.deadline));
+    if (!id) {  // the service has no answer that could tell why
+      ROS_ERROR_THROTTLE(10, "%s", id.problem().c_str());
+      return false;
+    }
+    response.id = *id;
+    return true;
   });
   Advertise<coppice_msgs::WithdrawHelp>(node, "withdraw", [this](auto& request, auto& response) {
     response.ok = desk_.Withdraw(request.subject, clock_.Now());
+    return true;
   });
-  Advertise<coppice_msgs::TellSupervisors>(
-      node, "tell", [this](auto& request, auto&) { desk_.Tell(request.subject, request.message); });
+  Advertise<coppice_msgs::TellSupervisors>(node, "tell", [this](auto& request, auto&) {
+    desk_.Tell(request.subject, request.message);
+    return true;
+  });
   Advertise<coppice_msgs::AnswerHelp>(node, "answer", [this](auto& request, auto& response) {
     const Expected<std::string> told =
         desk_.Answer(request.id, request.by, request.fixed, clock_.Now());
     response.ok = told.ok();
     response.message = told ? *told : told.problem();
+    return true;
   });
 }
 
@@ -73,10 +83,8 @@ void AssistanceNode::Advertise(ros::NodeHandle& node, const char* name, Handler 
   using Response = typename Service::Response;
   services_.push_back(node.advertiseService(
       std::string("/assistance/") + name,
-      boost::function<bool(Request&, Response&)>([handler](Request& request, Response& response) {
-        handler(request, response);
-        return true;
-      })));
+      boost::function<bool(Request&, Response&)>(
+          [handler](Request& request, Response& response) { return handler(request, response); })));
 }
 
 void AssistanceNode::Publish() {

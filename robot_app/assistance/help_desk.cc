@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/frames/tick_coding.h"
+
 namespace coppice::robot::assistance {
 namespace {
 
@@ -13,6 +15,9 @@ AskedSupervisor* FindAsked(HelpRequest& request, const std::string& name) {
                                   [&](const AskedSupervisor& asked) { return asked.name == name; });
   return found == request.asked.end() ? nullptr : &*found;
 }
+
+std::string Subject(const std::string& text) { return CutText(text, HelpDesk::kLongestSubject); }
+std::string Text(const std::string& text) { return CutText(text, HelpDesk::kLongestText); }
 
 bool HaveAllDeclined(const HelpRequest& request) {
   return std::all_of(request.asked.begin(), request.asked.end(), [](const AskedSupervisor& asked) {
@@ -28,13 +33,19 @@ HelpDesk::HelpDesk(std::vector<HumanSupervisor> supervisors, RulesOf rules, std:
       letters_(supervisors_),
       next_id_(first_id) {}
 
-std::uint32_t HelpDesk::Ask(const std::string& subject, const std::string& question, Time now,
-                            Duration deadline) {
+Expected<std::uint32_t> HelpDesk::Ask(const std::string& about, const std::string& asked, Time now,
+                                      Duration deadline) {
+  const std::string subject = Subject(about);
+  const std::string question = Text(asked);
   if (HelpRequest* const open = FindOpen(subject)) {
     if (open->question != question || open->withdrawn_at != kNever) ++version_;
     open->question = question;
     open->withdrawn_at = kNever;
     return open->id;
+  }
+  if (OpenRequests() >= kMostOpen) {
+    return Problem{"\"" + subject + "\" is not asked: " + std::to_string(kMostOpen) +
+                   " requests are open already"};
   }
   HelpRequest request;
   request.id = next_id_++;
@@ -50,7 +61,7 @@ std::uint32_t HelpDesk::Ask(const std::string& subject, const std::string& quest
 }
 
 bool HelpDesk::Withdraw(const std::string& subject, Time now) {
-  HelpRequest* const open = FindOpen(subject);
+  HelpRequest* const open = FindOpen(Subject(subject));
   if (!open) return false;
   if (open->withdrawn_at == kNever) open->withdrawn_at = now;
   ++version_;
@@ -60,8 +71,8 @@ bool HelpDesk::Withdraw(const std::string& subject, Time now) {
 void HelpDesk::Tell(const std::string& subject, const std::string& message) {
   if (supervisors_.empty()) return;
   Letter letter;
-  letter.subject = subject;
-  letter.text = message;
+  letter.subject = Subject(subject);
+  letter.text = Text(message);
   letters_.Add(std::move(letter));
 }
 
@@ -158,6 +169,12 @@ void HelpDesk::Restore(std::vector<HelpRequest> requests) {
   ++version_;
 }
 
+std::size_t HelpDesk::OpenRequests() const {
+  return static_cast<std::size_t>(
+      std::count_if(requests_.begin(), requests_.end(),
+                    [](const HelpRequest& request) { return request.state == HelpState::kOpen; }));
+}
+
 HelpRequest* HelpDesk::FindOpen(const std::string& subject) {
   for (HelpRequest& request : requests_) {
     if (request.state == HelpState::kOpen && request.subject == subject) return &request;
@@ -228,9 +245,7 @@ void HelpDesk::ForgetOldest() {
   const auto is_closed = [](const HelpRequest& request) {
     return request.state != HelpState::kOpen;
   };
-  auto surplus = std::count_if(requests_.begin(), requests_.end(), is_closed) -
-                 static_cast<std::ptrdiff_t>(kClosedKept);
-  for (; surplus > 0; --surplus) {
+  for (std::size_t kept = requests_.size() - OpenRequests(); kept > kClosedKept; --kept) {
     requests_.erase(std::find_if(requests_.begin(), requests_.end(), is_closed));
   }
 }

@@ -26,6 +26,9 @@ namespace coppice::robot::assistance {
 class HelpDesk {
  public:
   static constexpr std::size_t kClosedKept = 20;
+  static constexpr std::size_t kMostOpen = 32;  ///< people can look after no more
+  /// What is longer is cut [bytes]
+  static constexpr std::size_t kLongestSubject = 200, kLongestText = 4000;
 
   using RulesOf = std::function<HelpRules(const std::string& subject)>;
 
@@ -35,15 +38,17 @@ class HelpDesk {
   HelpDesk& operator=(const HelpDesk&) = delete;
 
   /// Opens a question, or joins the open one of the subject: nobody is asked twice, and what is
-  /// said from now on is the newer text. `deadline` 0: that of the rules. Returns the id.
-  std::uint32_t Ask(const std::string& subject, const std::string& question, Time now,
-                    Duration deadline = Duration::zero());
+  /// said from now on is the newer text. `deadline` 0: that of the rules. Returns the id; a problem
+  /// if too many questions are open and none is of the subject.
+  Expected<std::uint32_t> Ask(const std::string& subject, const std::string& question, Time now,
+                              Duration deadline = Duration::zero());
 
   /// The fault has gone. Once that has settled, the question closes and those who were asked hear
   /// of it; asked again before, it just goes on. False if nothing was open.
   bool Withdraw(const std::string& subject, Time now);
 
-  /// A message that asks nothing, to the first supervisor who can be reached.
+  /// A message that asks nothing, to the first supervisor who can be reached. Of very many that
+  /// reach nobody the oldest are forgotten.
   void Tell(const std::string& subject, const std::string& message);
 
   /// Somebody has opened the page for it: the next supervisor is not asked yet.
@@ -72,6 +77,7 @@ class HelpDesk {
   void Restore(std::vector<HelpRequest> requests);
 
  private:
+  std::size_t OpenRequests() const;
   HelpRequest* FindOpen(const std::string& subject);
   HelpRequest* FindOpen(std::uint32_t id);
   bool AskNext(HelpRequest& request, Time now);

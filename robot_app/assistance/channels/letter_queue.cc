@@ -1,5 +1,6 @@
 #include "robot_app/assistance/channels/letter_queue.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace coppice::robot::assistance {
@@ -13,6 +14,12 @@ void LetterQueue::Add(Letter letter) {
   Entry entry;
   entry.letter = std::move(letter);
   letters_.emplace(last_number_, std::move(entry));
+  const auto is_notice = [](const auto& one) {
+    return one.second.letter.kind == Letter::Kind::kNotice;
+  };
+  const auto notices = std::count_if(letters_.begin(), letters_.end(), is_notice);
+  if (notices <= static_cast<std::ptrdiff_t>(kMostNotices)) return;
+  letters_.erase(std::find_if(letters_.begin(), letters_.end(), is_notice));
 }
 
 std::vector<Letter> LetterQueue::TakeDue(Time now) {

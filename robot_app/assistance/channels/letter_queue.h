@@ -17,10 +17,11 @@ class LetterQueue {
  public:
   static constexpr Duration kRetryAfter = std::chrono::seconds(30);
   static constexpr int kMostRounds = 20;  ///< through all ways; then a letter is dropped
+  static constexpr std::size_t kMostNotices = 100;
 
   explicit LetterQueue(const std::vector<HumanSupervisor>& supervisors);
 
-  /// Due at once. The number of the letter is chosen here.
+  /// Due at once. The number of the letter is chosen here. Of too many notices the oldest goes.
   void Add(Letter letter);
 
   /// Those to be sent now, each by its way. Each must be reported to Delivered.

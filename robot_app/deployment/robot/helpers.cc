@@ -17,13 +17,14 @@ Helpers::Helpers(World& world, std::vector<assistance::HumanSupervisor> people,
 
 void Helpers::Ask(const std::string& subject, const std::string& question,
                   Sender<leaves::ActionResult> done) {
-  const std::uint32_t id = desk_.Ask(subject, question, world_.now());
-  const auto known = waiting_.find(id);
+  const Expected<std::uint32_t> id = desk_.Ask(subject, question, world_.now());
+  if (!id) return done.Send({false, id.problem()});
+  const auto known = waiting_.find(*id);
   if (known != waiting_.end()) {
     known->second.done = done;
     return;
   }
-  waiting_[id] = {subject, done, world_.journal.requests.size()};
+  waiting_[*id] = {subject, done, world_.journal.requests.size()};
   world_.journal.requests.push_back({subject, world_.now(), kNever, false, "open"});
   ++open_;
 }

@@ -72,7 +72,7 @@ class AssistanceTest : public testing::Test {
 };
 
 TEST_F(AssistanceTest, AQuestionBearsALinkThatWorksOnceAndEndsWithTheRequest) {
-  const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_).value();
   const OutgoingMessage message = Messages(1)[0];
   EXPECT_EQ(message.headline, "Sobi needs help: navigation");
   EXPECT_EQ(message.kind, "question");
@@ -85,7 +85,7 @@ TEST_F(AssistanceTest, AQuestionBearsALinkThatWorksOnceAndEndsWithTheRequest) {
 }
 
 TEST_F(AssistanceTest, TheAllClearHasNoLinkAndUnusedLinksEnd) {
-  const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_).value();
   const std::string token = TokenOf(Messages(1)[0]);
   EXPECT_TRUE(assistance_->desk().Answer(id, "Ben", true, now_));
   const OutgoingMessage message = Messages(2)[1];
@@ -97,7 +97,7 @@ TEST_F(AssistanceTest, TheAllClearHasNoLinkAndUnusedLinksEnd) {
 }
 
 TEST_F(AssistanceTest, RequestsAndLinksOutliveARestart) {
-  const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_).value();
   const std::string token = TokenOf(Messages(1)[0]);
   for (int i = 0; i < 3; ++i) {  // until the report of the sender is kept
     Messages(1);
@@ -111,7 +111,7 @@ TEST_F(AssistanceTest, RequestsAndLinksOutliveARestart) {
 
 TEST_F(AssistanceTest, WithoutAPageThereIsNoLink) {
   assistance_->set_page_url("");
-  assistance_->desk().Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(assistance_->desk().Ask("navigation", "Blocked.", now_));
   EXPECT_EQ(Messages(1)[0].link, "");
 }
 

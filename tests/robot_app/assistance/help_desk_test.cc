@@ -75,8 +75,32 @@ class Desk : public testing::Test {
   HelpDesk desk_{People(), Rules};
 };
 
+TEST_F(Desk, ManySubjectsAreRefusedAndLongTextsCut) {
+  for (std::size_t i = 0; i < HelpDesk::kMostOpen; ++i) {
+    ASSERT_TRUE(desk_.Ask("subject " + std::to_string(i), "Blocked.", now_));
+  }
+  EXPECT_THAT(desk_.Ask("one more", "Blocked.", now_).problem(), HasSubstr("32 requests are open"));
+  EXPECT_TRUE(desk_.Ask("subject 0", "Blocked still.", now_)) << "joins the one that is open";
+  ASSERT_TRUE(desk_.Answer(0, "Ada", true, now_));
+  EXPECT_TRUE(desk_.Ask("one more", "Blocked.", now_));
+  const std::string endless(1 << 20, 'x');
+  ASSERT_TRUE(desk_.Answer(0, "Ada", true, now_));
+  EXPECT_TRUE(desk_.Ask(endless, endless, now_));
+  EXPECT_EQ(request().subject.size(), HelpDesk::kLongestSubject);
+  EXPECT_EQ(request().question.size(), HelpDesk::kLongestText);
+  EXPECT_TRUE(desk_.Withdraw(endless, now_));
+}
+
+TEST_F(Desk, MessagesThatReachNobodyAreNotKeptWithoutEnd) {
+  down_ = {"telegram", "mail", "matrix"};
+  for (int i = 0; i < 1000; ++i) desk_.Tell("night", "Good night.");
+  std::size_t waiting = 0;
+  for (const Letter& letter : desk_.TakeLetters(now_)) waiting += letter.text.empty() ? 0 : 1;
+  EXPECT_EQ(waiting, LetterQueue::kMostNotices);
+}
+
 TEST_F(Desk, TheFirstSupervisorIsAskedAtOnceAndTheOthersOneAfterTheOther) {
-  desk_.Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Ada"));
   EXPECT_THAT(Pass(seconds(118)), IsEmpty());
   EXPECT_THAT(Pass(seconds(2)), ElementsAre("reminder Ada"));
@@ -87,7 +111,7 @@ TEST_F(Desk, TheFirstSupervisorIsAskedAtOnceAndTheOthersOneAfterTheOther) {
 }
 
 TEST_F(Desk, TheFirstAnswerWinsAndTheOthersHearThatItIsFixed) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
   Pass(minutes(6));
   EXPECT_TRUE(desk_.Answer(id, "Ben", true, now_));
   const Expected<std::string> second = desk_.Answer(id, "Ada", true, now_);
@@ -100,7 +124,7 @@ TEST_F(Desk, TheFirstAnswerWinsAndTheOthersHearThatItIsFixed) {
 }
 
 TEST_F(Desk, NotFixedPassesTheQuestionOnUntilNobodyIsLeft) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
   Pass(seconds(1));
   EXPECT_TRUE(desk_.Answer(id, "Ada", false, now_));
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Ben"));
@@ -113,7 +137,7 @@ TEST_F(Desk, NotFixedPassesTheQuestionOnUntilNobodyIsLeft) {
 }
 
 TEST_F(Desk, WhoCouldNotFixItIsNotRemindedButMayStillFixIt) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
   Pass(seconds(1));
   EXPECT_TRUE(desk_.Answer(id, "Ada", false, now_));
   EXPECT_THAT(Pass(minutes(3)), ElementsAre("question Ben", "reminder Ben"));
@@ -122,8 +146,8 @@ TEST_F(Desk, WhoCouldNotFixItIsNotRemindedButMayStillFixIt) {
 }
 
 TEST_F(Desk, IfNobodyAnswersTheSafeDefaultOfTheSubjectHolds) {
-  desk_.Ask("navigation", "Blocked.", now_);
-  desk_.Ask("cleaning", "May I vacuum here?", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
+  ASSERT_TRUE(desk_.Ask("cleaning", "May I vacuum here?", now_));
   Pass(minutes(30) - seconds(1));
   EXPECT_EQ(request().state, HelpState::kOpen);
   const auto last = Pass(seconds(2));
@@ -137,7 +161,7 @@ TEST_F(Desk, IfNobodyAnswersTheSafeDefaultOfTheSubjectHolds) {
 }
 
 TEST_F(Desk, ARequestMayHaveADeadlineOfItsOwn) {
-  desk_.Ask("navigation", "Blocked.", now_, seconds(20));
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_, seconds(20)));
   Pass(seconds(19));
   EXPECT_EQ(request().state, HelpState::kOpen);
   Pass(seconds(2));
@@ -145,7 +169,7 @@ TEST_F(Desk, ARequestMayHaveADeadlineOfItsOwn) {
 }
 
 TEST_F(Desk, AWithdrawnQuestionClosesWhenTheFaultStaysAway) {
-  desk_.Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
   Pass(seconds(1));
   EXPECT_TRUE(desk_.Withdraw("navigation", now_));
   EXPECT_THAT(Pass(seconds(10)), IsEmpty());
@@ -155,34 +179,34 @@ TEST_F(Desk, AWithdrawnQuestionClosesWhenTheFaultStaysAway) {
 }
 
 TEST_F(Desk, AFaultThatComesAndGoesSendsNoMessages) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
   Pass(seconds(1));
   for (int i = 0; i < 10; ++i) {
     desk_.Withdraw("navigation", now_);
     EXPECT_THAT(Pass(seconds(5)), IsEmpty());
-    EXPECT_EQ(desk_.Ask("navigation", "Blocked.", now_), id);
+    EXPECT_EQ(desk_.Ask("navigation", "Blocked.", now_).value(), id);
     EXPECT_THAT(Pass(seconds(2)), IsEmpty());
   }
 }
 
 TEST_F(Desk, AskedAgainTheOpenQuestionIsJoinedWithTheNewerText) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
-  EXPECT_EQ(desk_.Ask("navigation", "Blocked by a pallet.", now_), id);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
+  EXPECT_EQ(desk_.Ask("navigation", "Blocked by a pallet.", now_).value(), id);
   EXPECT_EQ(request().question, "Blocked by a pallet.");
-  EXPECT_NE(desk_.Ask("localization", "Lost.", now_), id);
+  EXPECT_NE(desk_.Ask("localization", "Lost.", now_).value(), id);
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Ada", "question Ada"));
 }
 
 TEST_F(Desk, AskedAgainAfterItWasClosedItIsANewQuestion) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
   Pass(seconds(1));
   EXPECT_TRUE(desk_.Answer(id, "Ada", true, now_));
-  EXPECT_EQ(desk_.Ask("navigation", "Blocked.", now_), id + 1);
+  EXPECT_EQ(desk_.Ask("navigation", "Blocked.", now_).value(), id + 1);
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Ada"));
 }
 
 TEST_F(Desk, WhoOpensThePageHasTimeBeforeTheNextOneIsAsked) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
   Pass(minutes(4));
   desk_.Take(id, "Ada", now_);
   EXPECT_EQ(request().taken_by, "Ada");
@@ -192,13 +216,13 @@ TEST_F(Desk, WhoOpensThePageHasTimeBeforeTheNextOneIsAsked) {
 
 TEST_F(Desk, AChannelThatIsDownMakesWayForTheNextOneOfTheSamePerson) {
   down_ = {"telegram"};
-  desk_.Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Ada"));
 }
 
 TEST_F(Desk, APersonWhoCannotBeReachedIsTriedAgainAndTheNextIsAskedMeanwhile) {
   down_ = {"telegram", "mail"};
-  desk_.Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Cleo"));
   EXPECT_EQ(request().asked[0].state, AskedSupervisor::State::kUnreachable);
   down_.clear();
@@ -208,7 +232,7 @@ TEST_F(Desk, APersonWhoCannotBeReachedIsTriedAgainAndTheNextIsAskedMeanwhile) {
 
 TEST_F(Desk, WithAllChannelsDownTheQuestionStillEndsAtItsDeadline) {
   down_ = {"telegram", "mail", "matrix"};
-  desk_.Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
   EXPECT_THAT(Pass(minutes(31)), IsEmpty());
   EXPECT_EQ(request().state, HelpState::kNobody);
 }
@@ -230,7 +254,7 @@ TEST_F(Desk, ANoticeThatReachesNobodyIsTriedAgain) {
 }
 
 TEST_F(Desk, SomebodyWhoIsNotOnTheListMayAnswer) {
-  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_).value();
   Pass(seconds(1));
   EXPECT_TRUE(desk_.Answer(0, "operator", true, now_));
   EXPECT_EQ(desk_.Find(id)->answered_by, "operator");
@@ -243,18 +267,18 @@ TEST_F(Desk, AnAnswerToNothingIsRefused) {
 }
 
 TEST_F(Desk, OpenQuestionsGoOnAfterARestart) {
-  desk_.Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
   Pass(minutes(6));
   HelpDesk later(People(), Rules);
   later.Restore({desk_.requests().begin(), desk_.requests().end()});
   EXPECT_TRUE(later.TakeLetters(now_).empty());
   later.Step(now_ + minutes(5));
   EXPECT_THAT(later.TakeLetters(now_ + minutes(5)), SizeIs(1));  // Cleo is asked
-  EXPECT_EQ(later.Ask("localization", "Lost.", now_), request().id + 1);
+  EXPECT_EQ(later.Ask("localization", "Lost.", now_).value(), request().id + 1);
 }
 
 TEST_F(Desk, WhoWasNotReachedBeforeARestartIsAskedAfterIt) {
-  desk_.Ask("navigation", "Blocked.", now_);
+  ASSERT_TRUE(desk_.Ask("navigation", "Blocked.", now_));
   HelpDesk later(People(), Rules);
   later.Restore({desk_.requests().begin(), desk_.requests().end()});
   EXPECT_THAT(later.TakeLetters(now_), SizeIs(1));
@@ -263,7 +287,7 @@ TEST_F(Desk, WhoWasNotReachedBeforeARestartIsAskedAfterIt) {
 TEST_F(Desk, WithoutSupervisorsAQuestionEndsAtItsDeadlineOrByAnAnswer) {
   HelpDesk alone({}, Rules);
   alone.Tell("disk", "Full.");
-  const std::uint32_t id = alone.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = alone.Ask("navigation", "Blocked.", now_).value();
   EXPECT_TRUE(alone.TakeLetters(now_).empty());
   EXPECT_TRUE(alone.Answer(id, "operator", false, now_));
   EXPECT_EQ(alone.requests().back().state, HelpState::kNotFixed);
@@ -271,7 +295,7 @@ TEST_F(Desk, WithoutSupervisorsAQuestionEndsAtItsDeadlineOrByAnAnswer) {
 
 TEST_F(Desk, OnlyTheLastClosedQuestionsAreKept) {
   for (int i = 0; i < 100; ++i) {
-    EXPECT_TRUE(desk_.Answer(desk_.Ask("navigation", "Blocked.", now_), "Ada", true, now_));
+    EXPECT_TRUE(desk_.Answer(desk_.Ask("navigation", "Blocked.", now_).value(), "Ada", true, now_));
   }
   EXPECT_LE(desk_.requests().size(), HelpDesk::kClosedKept + 1);
 }

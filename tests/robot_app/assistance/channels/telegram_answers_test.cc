@@ -138,7 +138,7 @@ class AnswerByTelegram : public testing::Test {
     listeners["telegram"] = std::make_unique<TelegramAnswers>(
         telegram_.Config(), TelegramAnswers::Patience{seconds(0), std::chrono::milliseconds(10)});
     assistance_->Listen(std::move(listeners));
-    id_ = assistance_->desk().Ask("navigation", "Blocked.", now_);
+    id_ = assistance_->desk().Ask("navigation", "Blocked.", now_).value();
   }
 
   HelpState State() { return assistance_->desk().Find(id_)->state; }

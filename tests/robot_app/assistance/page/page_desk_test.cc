@@ -85,13 +85,13 @@ TEST_F(Page, WhoJoinsHearsWhoTheyAreAndWhatIsShown) {
 }
 
 TEST_F(Page, WhoComesByALinkTakesTheRequest) {
-  const std::uint32_t id = help_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = help_.Ask("navigation", "Blocked.", now_).value();
   Join(1, "Ada", PageRole::kOperator, id);
   EXPECT_EQ(help_.Find(id)->taken_by, "Ada");
 }
 
 TEST_F(Page, AnAnswerClosesTheRequestAndIsThanked) {
-  const std::uint32_t id = help_.Ask("navigation", "Blocked.", now_);
+  const std::uint32_t id = help_.Ask("navigation", "Blocked.", now_).value();
   Join(1, "Ada");
   Say(1, R"({"do": "answer", "fixed": true, "request": )" + std::to_string(id) + "}");
   EXPECT_EQ(help_.Find(id)->state, HelpState::kFixed);
