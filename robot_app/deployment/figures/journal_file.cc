@@ -1,7 +1,9 @@
 #include "robot_app/deployment/figures/journal_file.h"
 
+#include <cstdint>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "bt_core/base/json_library.h"
@@ -14,10 +16,13 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kVersion = 1;
+constexpr std::int64_t kLatest = std::int64_t{1} << 62U;  // ns; until then can be calculated
 
 Json FromTime(Time time) { return time == kNever ? Json() : Json(ToNanoseconds(time)); }
 Time ToTime(const Json& json) {
-  return json.is_null() ? kNever : TimeFromNanoseconds(json.get<std::int64_t>());
+  const auto nanoseconds = json.get<std::int64_t>();
+  if (nanoseconds < 0 || nanoseconds > kLatest) throw std::out_of_range("no such time");
+  return TimeFromNanoseconds(nanoseconds);
 }
 
 Json FromInterval(const Interval& interval) {
@@ -73,8 +78,9 @@ Json From(const Request& request) {
           {"outcome", request.outcome}};
 }
 void To(const Json& json, Request& request) {
-  request = {json.at("subject"), ToTime(json.at("asked")), ToTime(json.at("closed")),
-             json.at("fixed"), json.at("outcome")};
+  const Json& closed = json.at("closed");
+  request = {json.at("subject"), ToTime(json.at("asked")),
+             closed.is_null() ? kNever : ToTime(closed), json.at("fixed"), json.at("outcome")};
 }
 
 Json From(const UnplannedStop& stop) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/robot_app/deployment/made_journal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -46,6 +48,18 @@ TEST(JournalFile, WhatIsNoRunIsAProblemAndNoCrash) {
   EXPECT_FALSE(JournalFromText("{}"));
   EXPECT_FALSE(JournalFromText("[1]"));
   EXPECT_FALSE(JournalFromText(R"({"version":99})"));
+}
+
+TEST(JournalFile, TimesWithoutAnEndAreNone) {
+  const nlohmann::json whole = nlohmann::json::parse(ToText(Full()));
+  for (const char* const time : {"null", "-1", "9223372036854775807", "1e30"}) {
+    nlohmann::json json = whole;
+    json["span"][1] = nlohmann::json::parse(time);
+    EXPECT_FALSE(JournalFromText(json.dump())) << time;
+    json = whole;
+    json["stops"] = {{{"at", nlohmann::json::parse(time)}, {"cause", "docking"}, {"what", ""}}};
+    EXPECT_FALSE(JournalFromText(json.dump())) << time;
+  }
 }
 
 TEST(JournalFile, AFolderThatIsNotThereIsAProblem) {
