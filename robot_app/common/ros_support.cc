@@ -11,6 +11,7 @@
 #include <iostream>
 
 #include "robot_app/common/find_master.h"
+#include "robot_app/common/message_time.h"
 
 namespace coppice::robot {
 namespace {
@@ -185,6 +186,7 @@ std::optional<Pose2D> RobotPose::MountOf(const std::string& frame) const {
 }
 
 std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& message) const {
+  if (!IsOfNow(message.header, "/scan")) return std::nullopt;
   const auto mount = MountOf(message.header.frame_id);
   if (!mount) {
     ROS_WARN_THROTTLE(10, "tf does not know where %s is", message.header.frame_id.c_str());

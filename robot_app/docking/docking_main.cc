@@ -14,6 +14,7 @@
 #include "bt_core/base/outcome.h"
 #include "robot_app/common/actions/goal_server.h"
 #include "robot_app/common/battery_message.h"
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/docking/dock_controller.h"
@@ -92,6 +93,7 @@ class DockingNode {
     path_ = node_.advertise<nav_msgs::Path>("/docking/path", 1);
     subscribers_.push_back(node_.subscribe<sensor_msgs::BatteryState>(
         "/battery_state", 5, [this](const sensor_msgs::BatteryState::ConstPtr& message) {
+          if (!IsOfNow(message->header, "/battery_state")) return;
           battery_ = ToBatteryReading(*message, {});
           battery_stamp_ = message->header.stamp.toSec();
         }));

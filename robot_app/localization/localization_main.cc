@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/places/pose_file.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
@@ -106,6 +107,7 @@ class LocalizationNode {
                                 [this](const nav_msgs::OccupancyGrid& message) { OnMap(message); });
     On<nav_msgs::Odometry>("/odometry/filtered", 30, [this](const nav_msgs::Odometry& message) {
       if (!IsValid(message.pose.pose)) return;
+      if (!IsOfNow(message.header, "/odometry/filtered")) return;
       localizer_.AddOdometry(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
       PublishPose();
     });

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/localization/odometry_filter.h"
 
@@ -65,6 +66,7 @@ class OdometryFilterNode {
 
  private:
   void OnWheels(const nav_msgs::Odometry& message) {
+    if (!IsOfNow(message.header, "/odom")) return;
     const double stamp = message.header.stamp.toSec();
     if (!IsValid(message.pose.pose) ||
         !filter_.AddWheels(stamp, ToPose2D(message.pose.pose),
@@ -77,6 +79,7 @@ class OdometryFilterNode {
   }
 
   void OnImu(const sensor_msgs::Imu& message) {
+    if (!IsOfNow(message.header, "/imu/data")) return;
     if (filter_.AddYawRate(message.header.stamp.toSec(), message.angular_velocity.z,
                            message.angular_velocity_covariance[8])) {
       Publish();

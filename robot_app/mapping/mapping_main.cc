@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/places/pose_file.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
@@ -103,7 +104,7 @@ class MappingNode {
 
  private:
   void OnOdometry(const nav_msgs::Odometry& message) {
-    if (!IsValid(message.pose.pose)) return;
+    if (!IsValid(message.pose.pose) || !IsOfNow(message.header, "/odometry/filtered")) return;
     mapper_.AddOdometry(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
     PublishTransform();
   }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "robot_app/common/actions/goal_server.h"
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/navigation/navigation.h"
@@ -135,6 +136,7 @@ class NavigationNode {
         [this](const std_msgs::Float64::ConstPtr& message) { OnSpeedLimit(message->data); }));
     subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
         "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
+          if (!IsValid(message->pose.pose) || !IsOfNow(message->header, "/odom")) return;
           odometry_ = ToPose2D(message->pose.pose);
           odometry_stamp_ = message->header.stamp.toSec();
         }));

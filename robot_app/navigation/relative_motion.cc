@@ -12,6 +12,7 @@ namespace {
 constexpr double kCloseEnough = 0.01;   // m
 constexpr double kTurnedEnough = 0.02;  // rad
 constexpr double kSlowest = 0.03;       // m/s
+constexpr double kLongestJump = 1;      // between two reports of the odometry [m]
 constexpr double kSlowestTurn = 0.08;   // rad/s
 
 std::string Print(const char* format, double a, double b) {
@@ -55,6 +56,9 @@ Velocity2D RelativeMotion::Fail(std::string message) {
 Velocity2D RelativeMotion::Update(const Pose2D& odometry, const std::vector<Point2D>& obstacles,
                                   double seconds) {
   if (state_ != State::kMoving) return {};
+  if (!(Distance(last_, odometry) <= kLongestJump) || !std::isfinite(odometry.yaw - last_.yaw)) {
+    return Fail("the odometry jumps");
+  }
   const Velocity2D velocity = stopping_   ? Stop(odometry, seconds)
                               : straight_ ? Straight(odometry, obstacles, seconds)
                                           : Turn(odometry, seconds);

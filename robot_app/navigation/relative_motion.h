@@ -43,7 +43,8 @@ class RelativeMotion {
   void Start(const Pose2D& from, double distance, double angle, double speed,
              const Velocity2D& velocity = {});
 
-  /// The next command, `seconds` after the last one. `obstacles`: laser points in base_link.
+  /// The next command, `seconds` after the last one. `obstacles`: laser points in base_link. Fails
+  /// where the odometry jumps: the way that is left would be measured from anywhere.
   Velocity2D Update(const Pose2D& odometry, const std::vector<Point2D>& obstacles, double seconds);
 
   State state() const { return state_; }

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/shipped.h"
 #include "robot_app/common/transforms/eigen_transform.h"
@@ -121,8 +122,9 @@ class SlamNode {
         "/odometry/filtered", 60,
         [this](const nav_msgs::Odometry::ConstPtr& message) { OnOdometry(*message); });
     clouds_subscriber_ = node_.subscribe<sensor_msgs::PointCloud2>(
-        "/velodyne_points", 2,
-        [this](const sensor_msgs::PointCloud2::ConstPtr& message) { cloud_ = message; });
+        "/velodyne_points", 2, [this](const sensor_msgs::PointCloud2::ConstPtr& message) {
+          if (IsOfNow(message->header, "/velodyne_points")) cloud_ = message;
+        });
     using Service = std_srvs::Trigger;
     save_ = node_.advertiseService("/slam/save",
                                    boost::function<bool(Service::Request&, Service::Response&)>(
@@ -154,7 +156,7 @@ class SlamNode {
   std::size_t key_frames() const { return mapper_.graph().poses().size(); }
 
   void OnOdometry(const nav_msgs::Odometry& message) {
-    if (!IsValid(message.pose.pose)) return;
+    if (!IsValid(message.pose.pose) || !IsOfNow(message.header, "/odometry/filtered")) return;
     const double stamp = message.header.stamp.toSec();
     history_.Add(stamp, robot::ToPose2D(message.pose.pose));
     if (frame_ != history_.frame()) BeginAnew(", again");

@@ -110,6 +110,7 @@ class PageAttackOnTheWheel : public PageAttack {
   void PublishScan() {
     sensor_msgs::LaserScan scan;
     scan.header.frame_id = "laser";
+    scan.header.stamp = ros::Time::now();
     scan.angle_min = -2;
     scan.angle_increment = 0.1F;
     scan.range_min = 0.05F;

@@ -2,12 +2,9 @@
 
 #include <stdexcept>
 
+#include "robot_app/common/message_time.h"
+
 namespace coppice::robot {
-namespace {
-
-constexpr double kFuture = 10;  // s, that clocks may differ by
-
-}  // namespace
 
 void TransformMemory::Store(const tf2_msgs::TFMessage& message, bool is_static,
                             const ros::Time& now) {
@@ -17,8 +14,8 @@ void TransformMemory::Store(const tf2_msgs::TFMessage& message, bool is_static,
   for (geometry_msgs::TransformStamped transform : message.transforms) {
     if (is_static) transform.header.stamp = ros::Time();  // holds always
     // Whatever else is wrong with it is refused by the buffer and then missed by Find.
-    const bool is_believed = transform.header.stamp.toSec() <= now.toSec() + kFuture;
-    if (is_believed) buffer_.setTransform(transform, "tf", is_static);
+    if (!IsOfTheFuture(transform.header.stamp, now))
+      buffer_.setTransform(transform, "tf", is_static);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "bt_core/base/diagnostic.h"
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/shipped.h"
 #include "robot_app/common/transforms/eigen_transform.h"
@@ -42,9 +43,6 @@ constexpr double kLidarAlive = 1;     // no cloud for longer: it is dead; wall t
 constexpr double kSameMoment = 0.15;  // between a picture and the cloud that says how far [s]
 constexpr double kTurn = 0.1;         // of the lidar [s]
 constexpr char kShipped[] = "shipped";
-
-// Times behind it cannot be calculated with: ros::Time throws where it overflows.
-const ros::Time kLatest(0xFFFFFFF0, 0);
 
 struct Settings {
   std::string cameras = "front rear";
@@ -129,6 +127,8 @@ class CameraNode {
           node_.subscribe<PointCloud2>("/velodyne_points", 1,
                                        boost::function<void(const PointCloud2::ConstPtr&)>(
                                            [this](const PointCloud2::ConstPtr& cloud) {
+                                             if (!IsOfNow(cloud->header, "/velodyne_points"))
+                                               return;
                                              cloud_ = cloud;
                                              last_cloud_ = ros::WallTime::now();
                                            }));
@@ -193,7 +193,9 @@ class CameraNode {
   // Takes the depth out of the moment.
   Expected<Ranges> RangesOf(RgbdMoment& moment) {
     const std_msgs::Header& header = moment.header;
-    if (header.stamp > kLatest) return Problem{"the picture comes from the far future"};
+    if (Outcome now = CheckStamp(header.stamp, ros::Time::now()); !now) {
+      return Problem{"a picture is not used: " + now.problem()};
+    }
     const auto optical = PoseOf(header.frame_id, header.stamp);
     if (!optical) return Problem{optical.problem()};
     Ranges ranges;
@@ -234,7 +236,7 @@ class CameraNode {
 
   // The lidar's points as the camera would see them, if there are some of that time.
   Outcome AddLidar(const ros::Time& time, Ranges& ranges) {
-    if (!cloud_ || cloud_->header.stamp > kLatest) return {};
+    if (!cloud_) return {};
     const double age = time.toSec() - cloud_->header.stamp.toSec() - kTurn / 2;
     if (std::abs(age) > kSameMoment) return {};
     if (Outcome decoded = Decode(*cloud_, points_); !decoded) return decoded;

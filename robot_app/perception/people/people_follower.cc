@@ -25,9 +25,6 @@ constexpr double kTooFar = 0.5;  // nearer than the end of a camera's view is su
 constexpr std::size_t kMostCameras = 16;
 constexpr std::size_t kMostBeams = 10000;
 
-// Times behind it cannot be calculated with: ros::Time throws where it overflows.
-const ros::Time kLatest(0xFFFFFFF0, 0);
-
 Detection ToDetection(const SeenPerson& person, const Pose2D& lidar) {
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(lidar.yaw).toRotationMatrix();
   Detection detection;
@@ -61,7 +58,6 @@ Expected<Classifiers> Classifiers::Load(const std::string& clouds_file,
 }
 
 Outcome PeopleFollower::OnCloud(const sensor_msgs::PointCloud2& message) {
-  if (message.header.stamp > kLatest) return Problem{"the cloud comes from the far future"};
   if (Outcome decoded = Decode(message, points_); !decoded) return decoded;
   const auto mount = MountAt(message.header.frame_id, message.header.stamp);
   if (!mount) return Problem{mount.problem()};
@@ -80,7 +76,6 @@ Outcome PeopleFollower::OnCloud(const sensor_msgs::PointCloud2& message) {
 }
 
 Outcome PeopleFollower::OnSightings(const coppice_msgs::Sightings& message) {
-  if (message.header.stamp > kLatest) return Problem{"a picture comes from the far future"};
   if (message.header.frame_id != options_.frame) {
     return Problem{"sightings are in the frame " + message.header.frame_id + ", expected " +
                    options_.frame};
@@ -100,7 +95,6 @@ Outcome PeopleFollower::OnSightings(const coppice_msgs::Sightings& message) {
 }
 
 Expected<bool> PeopleFollower::OnScan(const sensor_msgs::LaserScan& message) {
-  if (message.header.stamp > kLatest) return Problem{"a scan comes from the far future"};
   const double time = message.header.stamp.toSec();
   if (first_scan_ < 0) first_scan_ = time;
   if (IsLidarAlive(time)) return false;

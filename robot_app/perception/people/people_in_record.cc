@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/transforms/transform_memory.h"
 
 namespace coppice::robot::perception {
@@ -38,14 +39,22 @@ class Reader {
     if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
       transforms_.Store(*transforms, message.getTopic() == "/tf_static", message.getTime());
     } else if (const auto cloud = message.instantiate<sensor_msgs::PointCloud2>()) {
-      Count(follower_.OnCloud(*cloud), figures_.clouds);
+      const Outcome checked = CheckStamp(cloud->header.stamp, message.getTime());
+      Count(checked ? follower_.OnCloud(*cloud) : checked, figures_.clouds);
     } else if (const auto sightings = message.instantiate<coppice_msgs::Sightings>()) {
-      Count(follower_.OnSightings(*sightings), figures_.pictures);
+      const Outcome checked = CheckStamp(sightings->header.stamp, message.getTime());
+      Count(checked ? follower_.OnSightings(*sightings) : checked, figures_.pictures);
     } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
-      const auto looked = follower_.OnScan(*scan);
-      if (!looked) Count(Problem{looked.problem()}, figures_.scans);
-      if (looked && *looked) Count({}, figures_.scans);
+      TakeScan(*scan, message.getTime());
     }
+  }
+
+  void TakeScan(const sensor_msgs::LaserScan& scan, const ros::Time& now) {
+    const Outcome checked = CheckStamp(scan.header.stamp, now);
+    if (!checked) return Count(checked, figures_.scans);
+    const auto looked = follower_.OnScan(scan);
+    if (!looked) Count(Problem{looked.problem()}, figures_.scans);
+    if (looked && *looked) Count({}, figures_.scans);
   }
 
   void Count(const Outcome& done, int& counter) {

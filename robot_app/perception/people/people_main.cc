@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/shipped.h"
 #include "robot_app/perception/people/people_follower.h"
@@ -84,7 +85,8 @@ class PeopleNode {
   void OnCloud(const sensor_msgs::PointCloud2& message) {
     const auto begin = std::chrono::steady_clock::now();
     last_cloud_ = ros::WallTime::now();
-    const Outcome done = follower_.OnCloud(message);
+    Outcome done = CheckStamp(message.header.stamp, ros::Time::now());
+    if (done) done = follower_.OnCloud(message);
     problem_ = done.problem();
     if (!done) return;
     Publish();
@@ -93,7 +95,8 @@ class PeopleNode {
   }
 
   void OnSightings(const coppice_msgs::Sightings& message) {
-    const Outcome done = follower_.OnSightings(message);
+    Outcome done = CheckStamp(message.header.stamp, ros::Time::now());
+    if (done) done = follower_.OnSightings(message);
     sightings_problem_ = done.problem();
     if (!done) return;
     ++pictures_;
@@ -102,6 +105,9 @@ class PeopleNode {
   }
 
   void OnScan(const sensor_msgs::LaserScan& message) {
+    const Outcome checked = CheckStamp(message.header.stamp, ros::Time::now());
+    scan_problem_ = checked.problem();
+    if (!checked) return;
     const auto looked = follower_.OnScan(message);
     scan_problem_ = looked.problem();
     if (!looked || !*looked) return;

@@ -29,6 +29,7 @@ using nlohmann::json;
 class Story : public testing::Test {
  protected:
   Story() {
+    ros::param::set("/use_sim_time", true);  // before anybody starts
     Start("coppice-simulator", {"_start:=8 -0.3 0", "_speed:=1"});
     Start("coppice-simulated-cameras", {});
     Start("coppice-velocity-mux", {});

@@ -41,6 +41,7 @@ class LocalizationNodeTest : public testing::Test {
     std::filesystem::remove(kLastPose);
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
     set_pose_ = node_.advertise<geometry_msgs::PoseWithCovarianceStamped>("/initialpose", 1);
+    ros::param::set("/use_sim_time", true);  // before anybody starts
     simulator_ = ChildProcess({kPrograms + "coppice-simulator", "_speed:=4", "_localization:=false",
                                "_odometry_tf:=false"},
                               Log("simulator"));

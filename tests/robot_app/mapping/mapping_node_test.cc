@@ -39,6 +39,7 @@ class MappingNodeTest : public testing::Test {
 
   // The odometry is that of the wheels, which will do for some metres.
   void StartSimulator() {
+    ros::param::set("/use_sim_time", true);  // before anybody starts
     simulator_ =
         ChildProcess({kPrograms + "coppice-simulator", "_speed:=4", "_start:=2 0 0",
                       "_localization:=false", "/map:=/simulation/map", "/odom:=/odometry/filtered"},

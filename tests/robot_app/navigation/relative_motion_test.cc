@@ -51,6 +51,21 @@ TEST(RelativeMotion, BacksUp) {
   EXPECT_NEAR(seconds, 5.5, 1.5);
 }
 
+TEST(RelativeMotion, EndsWhereTheOdometryJumpsOrIsNoNumber) {
+  for (const Pose2D& nowhere : {Pose2D{NAN, 0, 0}, Pose2D{0, 0, NAN}, Pose2D{1e300, 0, 0}}) {
+    RelativeMotion motion;
+    motion.Start({}, -0.5, 0, 0.1, {0.2, 0});
+    motion.Update({}, {}, kStep);
+    EXPECT_EQ(motion.Update(nowhere, {}, kStep).linear, 0);
+    EXPECT_EQ(motion.state(), State::kFailed);
+    EXPECT_EQ(motion.message(), "the odometry jumps");
+    motion.Start(nowhere, -0.5, 0, 0.1);
+    Pose2D pose;
+    EXPECT_LT(Carry(motion, pose), 10);
+    EXPECT_GT(pose.x, -1);
+  }
+}
+
 TEST(RelativeMotion, TurnsMoreThanAFullCircle) {
   RelativeMotion motion;
   Pose2D pose;

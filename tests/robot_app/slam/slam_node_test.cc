@@ -43,6 +43,7 @@ class SlamNodeTest : public testing::Test {
 
   void StartSimulator(const std::string& start = "2 0 0",
                       const std::string& localization = "true") {
+    ros::param::set("/use_sim_time", true);  // before anybody starts
     simulator_ = ChildProcess({kPrograms + "coppice-simulator", "_start:=" + start,
                                "/odom:=/odometry/filtered", "_localization:=" + localization},
                               Temporary("simulator.log"));

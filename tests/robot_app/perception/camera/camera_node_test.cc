@@ -28,6 +28,7 @@ class CameraNodeTest : public testing::Test {
  protected:
   // In the entrance hall, where two people walk about.
   void StartSimulation() {
+    ros::param::set("/use_sim_time", true);  // before anybody starts
     simulator_ =
         ChildProcess({kPrograms + "coppice-simulator", "_start:=44 0 0", "_localization:=true"},
                      Temporary("simulator.log"));

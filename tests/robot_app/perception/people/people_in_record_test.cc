@@ -173,6 +173,7 @@ TEST(PeopleInRecord, MessagesThatNobodyCanUseAreCounted) {
   {
     rosbag::Bag bag(path, rosbag::bagmode::Write);
     sensor_msgs::PointCloud2 cloud;
+    cloud.header.stamp = ros::Time(kBegin);
     cloud.width = 1000;
     cloud.height = 1000;
     cloud.point_step = 22;

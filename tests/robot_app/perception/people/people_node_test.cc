@@ -30,6 +30,7 @@ class PeopleNodeTest : public testing::Test {
  protected:
   // In the entrance hall, where two people walk about.
   void StartSimulator() {
+    ros::param::set("/use_sim_time", true);  // before anybody starts
     simulator_ =
         ChildProcess({kPrograms + "coppice-simulator", "_start:=44 0 0", "_localization:=true"},
                      Temporary("simulator.log"));
@@ -94,9 +95,11 @@ TEST_F(PeopleNodeTest, SaysThatThereAreNoClouds) {
 }
 
 TEST_F(PeopleNodeTest, SaysWhatIsWrongWithACloudAndLivesOn) {
+  ros::param::set("/use_sim_time", false);  // there is no simulator
   ros::Publisher clouds = node_.advertise<sensor_msgs::PointCloud2>("/velodyne_points", 1);
   StartPeople();
   sensor_msgs::PointCloud2 broken;
+  broken.header.stamp = ros::Time::now();
   broken.width = 1000000;
   broken.height = 1000000;
   broken.point_step = 22;
@@ -109,13 +112,14 @@ TEST_F(PeopleNodeTest, SaysWhatIsWrongWithACloudAndLivesOn) {
 }
 
 TEST_F(PeopleNodeTest, ACloudFromTheEndOfTimeDoesNotEndIt) {
+  ros::param::set("/use_sim_time", false);  // there is no simulator
   ros::Publisher clouds = node_.advertise<sensor_msgs::PointCloud2>("/velodyne_points", 1);
   StartPeople();
   sensor_msgs::PointCloud2 cloud;
   cloud.header.stamp = ros::Time(0xFFFFFFFF, 999999999);
   const auto says = [&] {
     clouds.publish(cloud);
-    return Diagnosis() == "the cloud comes from the far future";
+    return Diagnosis().find("ahead of now") != std::string::npos;
   };
   EXPECT_TRUE(Eventually(says, kPatience)) << Diagnosis();
   EXPECT_TRUE(people_program_.IsRunning());

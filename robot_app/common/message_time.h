@@ -1,0 +1,28 @@
+// Whether a message may bear the time that it bears. Clocks of sensors and of other computers are
+// set wrongly, jump, or are not there at all: who calculates with such a time places the robot
+// elsewhere, waits for a day that never comes, or ends, as ros::Time does where it overflows.
+#ifndef COPPICE_ROBOT_APP_COMMON_MESSAGE_TIME_H_
+#define COPPICE_ROBOT_APP_COMMON_MESSAGE_TIME_H_
+
+#include <ros/time.h>
+#include <std_msgs/Header.h>
+
+#include <string>
+
+#include "bt_core/base/outcome.h"
+
+namespace coppice::robot {
+
+/// A stamp that is none, or more than 10 s ahead of `now`: by so much clocks may differ.
+bool IsOfTheFuture(const ros::Time& stamp, const ros::Time& now);
+
+/// A problem if it is of the future, or more than 60 s old.
+Outcome CheckStamp(const ros::Time& stamp, const ros::Time& now);
+
+/// The same for a message that has just come on a topic; false: a warning was given, now and then.
+/// For the thread that spins.
+bool IsOfNow(const std_msgs::Header& header, const std::string& topic);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_COMMON_MESSAGE_TIME_H_
