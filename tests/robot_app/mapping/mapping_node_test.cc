@@ -97,6 +97,7 @@ TEST_F(MappingNodeTest, MapsSavesAndLeavesWhatIsUnsaved) {
   const Latest<geometry_msgs::PoseStamped> truth(node_, "/simulation/truth");
   const Latest<diagnostic_msgs::DiagnosticArray> state(node_, "/diagnostics");
   const RobotPose frames({"map", "odom", "base_link"});
+  ASSERT_TRUE(Eventually([&] { return map.get() != nullptr; }, kPatience)) << "where it begins";
   ASSERT_TRUE(DriveUntil([&] { return truth.get() && truth.get()->pose.position.x > 4; }));
   // The wall of the corridor, half a cell to either side.
   ASSERT_TRUE(Eventually([&] { return Shows(map.get(), 3, 1.26) || Shows(map.get(), 3, 1.24); },
