@@ -11,7 +11,7 @@
 #include <iostream>
 
 #include "robot_app/common/find_master.h"
-#include "robot_app/common/message_time.h"
+#include "robot_app/common/transforms/message_time.h"
 
 namespace coppice::robot {
 namespace {

@@ -99,8 +99,8 @@ class RobotPose {
   /// The fixed place of a sensor's frame in base_link; nothing if tf does not know it.
   std::optional<Pose2D> MountOf(const std::string& frame) const;
   /// A scan with the place of its scanner. Nothing, with a warning now and then, if tf does not
-  /// know that place, the scan is not of now (message_time.h) or not usable (laser_scan.h): for all
-  /// who ask, silence.
+  /// know that place, the scan is not of now (transforms/message_time.h) or not usable
+  /// (laser_scan.h): for all who ask, silence.
   std::optional<LaserScan> UsableScan(const sensor_msgs::LaserScan& message) const;
   /// A pose given in any frame, in the map frame; nothing if tf cannot tell.
   std::optional<Pose2D> InMap(const geometry_msgs::PoseStamped& pose) const;

@@ -14,9 +14,9 @@
 #include "bt_core/base/outcome.h"
 #include "robot_app/common/actions/goal_server.h"
 #include "robot_app/common/battery_message.h"
-#include "robot_app/common/message_time.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/docking/dock_controller.h"
 #include "robot_app/docking/station_memory.h"
 

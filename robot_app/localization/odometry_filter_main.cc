@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/localization/odometry_filter.h"
 
 namespace coppice::robot::localization {

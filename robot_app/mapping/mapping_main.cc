@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "robot_app/common/message_time.h"
 #include "robot_app/common/places/pose_file.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/mapping/map_file.h"
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/mapping/mapper.h"

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "robot_app/common/actions/goal_server.h"
-#include "robot_app/common/message_time.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/navigation/navigation.h"
 #include "robot_app/navigation/relative_motion.h"
 #include "robot_app/navigation/way_field.h"

@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/shipped.h"
 #include "robot_app/common/transforms/eigen_transform.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/localization/pose_history.h"
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/perception/camera/rgbd_topics.h"

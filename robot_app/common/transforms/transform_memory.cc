@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "robot_app/common/message_time.h"
+#include "robot_app/common/transforms/message_time.h"
 
 namespace coppice::robot {
 

@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "bt_core/base/diagnostic.h"
-#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/shipped.h"
 #include "robot_app/common/transforms/eigen_transform.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/perception/camera/damaged_rows.h"
 #include "robot_app/perception/camera/people_in_pictures.h"
 #include "robot_app/perception/camera/rgbd_topics.h"

@@ -44,7 +44,7 @@ struct Classifiers {
   LegClassifier legs;
 };
 
-/// One thread. The stamps of messages are of now (robot_app/common/message_time.h).
+/// One thread. The stamps of messages are of now (robot_app/common/transforms/message_time.h).
 class PeopleFollower {
  public:
   /// As Transforms::Find.

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "robot_app/common/message_time.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/common/transforms/transform_memory.h"
 
 namespace coppice::robot::perception {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "robot_app/common/message_time.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/shipped.h"
+#include "robot_app/common/transforms/message_time.h"
 #include "robot_app/perception/people/people_follower.h"
 #include "robot_app/perception/people/people_messages.h"
 #include "robot_app/perception/people/record_command.h"

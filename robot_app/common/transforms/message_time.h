@@ -1,8 +1,8 @@
 // Whether a message may bear the time that it bears. Clocks of sensors and of other computers are
 // set wrongly, jump, or are not there at all: who calculates with such a time places the robot
 // elsewhere, waits for a day that never comes, or ends, as ros::Time does where it overflows.
-#ifndef COPPICE_ROBOT_APP_COMMON_MESSAGE_TIME_H_
-#define COPPICE_ROBOT_APP_COMMON_MESSAGE_TIME_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_TRANSFORMS_MESSAGE_TIME_H_
+#define COPPICE_ROBOT_APP_COMMON_TRANSFORMS_MESSAGE_TIME_H_
 
 #include <ros/time.h>
 #include <std_msgs/Header.h>
@@ -25,4 +25,4 @@ bool IsOfNow(const std_msgs::Header& header, const std::string& topic);
 
 }  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_COMMON_MESSAGE_TIME_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_TRANSFORMS_MESSAGE_TIME_H_

@@ -1,4 +1,4 @@
-#include "robot_app/common/message_time.h"
+#include "robot_app/common/transforms/message_time.h"
 
 #include <ros/console.h>
 
