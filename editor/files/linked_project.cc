@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace coppice::editor {
 namespace {
@@ -17,42 +18,52 @@ DocumentReader ReaderOf(OpenProject& files) {
   };
 }
 
-bool HasTree(const Document& document, std::string_view id) {
-  for (ElementIndex i = document.element(kRootElement).first_child; i != kNoElement;
-       i = document.element(i).next_sibling) {
-    const Element& element = document.element(i);
-    if (element.tag == "BehaviorTree" && document.AttributeValue(element, "ID") == id) return true;
-  }
-  return false;
-}
-
 std::ptrdiff_t ErrorsIn(const Diagnostics& diagnostics) {
   return std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
                        [](const Diagnostic& one) { return one.severity == Severity::kError; });
 }
 
-// Those that are open beside a file.
+std::vector<std::string_view> TreesIn(const Document& document) {
+  std::vector<std::string_view> ids;
+  for (ElementIndex i = document.element(kRootElement).first_child; i != kNoElement;
+       i = document.element(i).next_sibling) {
+    const Element& element = document.element(i);
+    if (element.tag == "BehaviorTree") ids.push_back(document.AttributeValue(element, "ID"));
+  }
+  return ids;
+}
+
+// Those that are open beside a file, by the IDs of their trees.
 class OtherFiles {
  public:
-  OtherFiles(const OpenProject& files, const std::string& path)
-      : files_(files), folder_(ProjectFolder(path)), tried_{path} {}
+  OtherFiles(const OpenProject& files, const std::string& path) : folder_(ProjectFolder(path)) {
+    for (const auto& [other, file] : files.files()) {
+      if (!file.document || other == path) continue;
+      for (const std::string_view id : TreesIn(*file.document)) owners_.emplace(id, &file);
+    }
+  }
 
-  // The next one that has a tree which is missing; empty: there is none.
+  // The next one that has a tree which is missing, and none that is there already; empty: there is
+  // none.
   std::string Next(const Project& project) {
     for (const std::string& id : MissingTrees(project)) {
-      for (const auto& [path, file] : files_.files()) {
-        if (!file.document || tried_.count(path) > 0 || !HasTree(*file.document, id)) continue;
-        tried_.insert(path);
-        if (ProjectFolder(path) == folder_) return path;
+      const auto [begin, end] = owners_.equal_range(id);
+      for (auto at = begin; at != end; ++at) {
+        const EditedFile& file = *at->second;
+        if (!tried_.insert(&file).second || ProjectFolder(file.path) != folder_) continue;
+        const std::vector<std::string_view> ids = TreesIn(*file.document);
+        const bool would_come_twice = std::any_of(
+            ids.begin(), ids.end(), [&](std::string_view one) { return project.Find(one); });
+        if (!would_come_twice) return file.path;
       }
     }
     return {};
   }
 
  private:
-  const OpenProject& files_;
   const std::string folder_;
-  std::set<std::string> tried_;
+  std::multimap<std::string, const EditedFile*, std::less<>> owners_;
+  std::set<const EditedFile*> tried_;
 };
 
 }  // namespace
@@ -67,6 +78,7 @@ std::optional<LinkedProject> ReadLinked(OpenProject& files, const std::string& p
   const std::size_t own_documents = own->documents().size();
   LinkedProject linked{*std::move(own), own_documents, ""};
   linked.main_tree = linked.project.main_tree();
+  if (MissingTrees(linked.project).empty()) return linked;
   std::vector<std::string> paths = {path};
   OtherFiles others(files, path);
   for (std::string next = others.Next(linked.project); !next.empty();
@@ -88,14 +100,13 @@ std::optional<Project> ReadOpenProject(OpenProject& files, const std::string& pa
   return Project::FromFiles({path}, diagnostics, {}, ReaderOf(files));
 }
 
-std::vector<std::string> MissingTrees(const Project& project) {
-  std::vector<std::string> missing;
+std::set<std::string> MissingTrees(const Project& project) {
+  std::set<std::string> missing;
   for (const Document& document : project.documents()) {
     for (const Element& element : document.elements()) {
       if (element.tag != "SubTree") continue;
       const std::string_view id = document.AttributeValue(element, "ID");
-      if (project.Find(id) || std::count(missing.begin(), missing.end(), id) > 0) continue;
-      missing.emplace_back(id);
+      if (!project.Find(id)) missing.emplace(id);
     }
   }
   return missing;

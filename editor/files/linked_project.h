@@ -8,8 +8,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
-#include <vector>
 
 #include "bt_core/model/project.h"
 #include "editor/files/open_project.h"
@@ -32,8 +32,8 @@ std::optional<LinkedProject> ReadLinked(OpenProject& files, const std::string& p
 std::optional<Project> ReadOpenProject(OpenProject& files, const std::string& path,
                                        Diagnostics& diagnostics);
 
-/// The IDs that SubTrees of these documents name and that no tree of them has, each once.
-std::vector<std::string> MissingTrees(const Project& project);
+/// The IDs that SubTrees of these documents name and that no tree of them has.
+std::set<std::string> MissingTrees(const Project& project);
 
 /// The nearest folder above the file with a `.git`, or else the file's own; absolute. What lies in
 /// it is one project.

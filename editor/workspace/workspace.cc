@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -128,13 +129,14 @@ void Workspace::Add(const std::string& path, double now) {
   files_.push_back(Load(path));
   shown_version_ = project_.version();
   const std::string shown = ShownTreeId();
-  const std::shared_ptr<const Forest> added = files_.back().forest;
+  std::unordered_set<std::string> added;
+  for (const TreeEntry& tree : files_.back().forest->trees()) added.insert(tree.id);
   for (std::size_t at = 0; at + 1 < files_.size(); ++at) {
     const std::shared_ptr<const Project>& project = files_[at].forest->project();
     if (!project) continue;
-    const std::vector<std::string> missing = MissingTrees(*project);
+    const std::set<std::string> missing = MissingTrees(*project);
     const bool gains = std::any_of(missing.begin(), missing.end(),
-                                   [&](const std::string& id) { return added->Find(id) >= 0; });
+                                   [&](const std::string& id) { return added.count(id) > 0; });
     if (!gains) continue;
     Renew(at);
     if (file_ == static_cast<int>(at)) ShowFileTree(at, files_[at].forest->Find(shown), now);

@@ -83,7 +83,7 @@ TEST_F(LinkedProjectTest, SaysNothingOfWhatIsWrongWithTheOthers) {
   EXPECT_EQ(diagnostics_.ToString(), "");
 }
 
-TEST(MissingTrees, AreNamedOnce) {
+TEST(MissingTrees, AreThoseThatNoTreeIs) {
   Diagnostics diagnostics;
   const auto project = Project::FromText(
       "<root BTCPP_format=\"4\">" +
