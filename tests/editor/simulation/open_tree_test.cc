@@ -33,6 +33,18 @@ TEST(OpenTree, TheTextInMemoryCountsAlsoOfAnIncludedFile) {
   EXPECT_EQ(CompileOpenTree(files, path, "In", nullptr, diagnostics)->nodes.size(), 1U);
 }
 
+TEST(OpenTree, OfAnotherOpenFileCounts) {
+  OpenProject files;
+  files.Create("pick.xml", R"(<root BTCPP_format="4"><BehaviorTree ID="Pick"><SubTree ID="Move"/>)"
+                           "</BehaviorTree></root>");
+  files.Create("move.xml",
+               R"(<root BTCPP_format="4"><BehaviorTree ID="Move"><B/></BehaviorTree></root>)");
+  Diagnostics diagnostics;
+  const auto program = CompileOpenTree(files, "pick.xml", "", nullptr, diagnostics);
+  ASSERT_TRUE(program) << diagnostics.ToString();
+  EXPECT_EQ(program->Id(NodeIndex{1}), "B");
+}
+
 TEST(OpenTree, ErrorsAreSaid) {
   OpenProject files;
   files.Create("wrong.xml",
