@@ -20,7 +20,7 @@ RigOptions Options(const std::string& name, const std::string& application) {
   RigOptions options;
   options.name = name;
   options.start = "4 0 0";
-  options.variables = {{"speed", "6"},
+  options.variables = {{"speed", "4"},
                        {"seed", "5"},
                        {"application", SourceFolder() + "/tests/system/trees/" + application}};
   // People who never answer, and a robot that does not wait long for them.
