@@ -135,7 +135,10 @@ bool Navigation::SensorsFresh(double now, double pose_stamp) {
   if (now - fresh_at_ > settings_.sensor_patience) {
     Finish(End::kAborted, now, text);
   } else {
-    SetStatus(NavigationStatus::kBlocked, now, text);
+    // Who has found no way, or has just failed, has none either while he sees nothing.
+    const bool had_none = status_ == NavigationStatus::kNoPath || consecutive_failures_ > 0;
+    const bool has_none = had_none && follower_.path().empty();
+    SetStatus(has_none ? NavigationStatus::kNoPath : NavigationStatus::kBlocked, now, text);
     next_plan_ = 0;
   }
   return false;

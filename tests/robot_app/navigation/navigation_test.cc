@@ -175,6 +175,23 @@ TEST_F(BlockedCorridor, WaitsAndGoesOnWhenTheObstacleGoesAway) {
   EXPECT_EQ(navigation_.consecutive_failures(), 0);
 }
 
+// Else a pose that comes late would look to who watches as if the way had become free.
+TEST_F(BlockedCorridor, HasNoWayAfterAFailureWhileThePoseIsLate) {
+  WithDetour(false);
+  Begin({1, 1, 0}, {10, 1, 0});
+  Block();
+  ASSERT_EQ(Drive(60), End::kAborted);
+  located_ = false;
+  Drive(1.2);
+  navigation_.SetGoal({10, 1, 0}, now_);
+  Drive(kStep);
+  EXPECT_EQ(navigation_.status(), NavigationStatus::kNoPath);
+  EXPECT_THAT(navigation_.message(), HasSubstr("no pose"));
+  located_ = true;
+  Unblock();
+  EXPECT_EQ(Drive(60), End::kReached) << navigation_.message();
+}
+
 TEST_F(BlockedCorridor, GivesUpAfterItsRecoveriesAndSaysWhy) {
   WithDetour(false);
   Begin({1, 1, 0}, {10, 1, 0});
