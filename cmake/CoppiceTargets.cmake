@@ -65,10 +65,7 @@ function(coppice_test name)
     target_compile_options(${name} PRIVATE ${COPPICE_TEST_OPTIONS})
     coppice_precompile(${name} test)
   endif()
-  # What they leave behind lies in the build folder.
-  set(temporary ${PROJECT_BINARY_DIR}/tests/temporary)
-  file(MAKE_DIRECTORY ${temporary})
-  set(properties TIMEOUT,${ARG_TIMEOUT},ENVIRONMENT,TEST_TMPDIR=${temporary})
+  set(properties TIMEOUT,${ARG_TIMEOUT})
   if(ARG_OPTIMIZED)
     string(APPEND properties ,RESOURCE_LOCK,calculates)
     if(NOT ARG_COST)
@@ -118,6 +115,7 @@ function(coppice_list_suites name processes properties)
   add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS ${suites}
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D NAME=${name}
             -D PROPERTIES=${properties} -D PROCESSES=${processes} -D FILE=${suites}
+            -D TEMPORARY=${PROJECT_BINARY_DIR}/tests/temporary
             -P ${PROJECT_SOURCE_DIR}/cmake/ListSuites.cmake
     VERBATIM)
   file(WRITE ${include} "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n"

@@ -1,6 +1,8 @@
 # Writes the tests of ctest of one GoogleTest program: one for each suite, each a process of its own, or
-# PROCESSES tests of many suites each, "NAME.FIRST..LAST". Called after the program has been built;
-# PROGRAM, NAME, PROPERTIES, PROCESSES (0: one for each suite) and FILE are given with -D.
+# PROCESSES tests of many suites each, "NAME.FIRST..LAST". What a test leaves behind lies in a folder
+# of its own in TEMPORARY: tests run beside each other, and two may call their files alike.
+# Called after the program has been built; PROGRAM, NAME, PROPERTIES, PROCESSES (0: one for each
+# suite), TEMPORARY and FILE are given with -D.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests
   OUTPUT_VARIABLE listing RESULT_VARIABLE result TIMEOUT 60)
 if(NOT result EQUAL 0)
@@ -35,7 +37,10 @@ foreach(first RANGE 0 ${count} ${size})
   endif()
   list(TRANSFORM together APPEND ".*")
   list(JOIN together ":" filter)
+  set(temporary ${TEMPORARY}/${NAME}.${name})
+  file(MAKE_DIRECTORY ${temporary})
   set(tests "${tests}add_test([=[${NAME}.${name}]=] \"${PROGRAM}\" \"--gtest_filter=${filter}\")
-set_tests_properties([=[${NAME}.${name}]=] PROPERTIES ${properties})\n")
+set_tests_properties([=[${NAME}.${name}]=] PROPERTIES ${properties}
+  ENVIRONMENT [=[TEST_TMPDIR=${temporary}]=])\n")
 endforeach()
 file(WRITE ${FILE} "${tests}")
