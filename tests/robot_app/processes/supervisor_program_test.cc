@@ -15,6 +15,7 @@
 #include "tests/robot_app/processes/other_host.h"
 #include "tests/robot_app/processes/shut_down_node.h"
 #include "tests/robot_app/processes/supervisor_program_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::processes {
 namespace {
@@ -148,10 +149,11 @@ configurations:
   graph_.Kill(supervisor_, SIGTERM);
 }
 
-// Where systemd listens to a service.
+// Where systemd listens to a service: in a folder of its own, for a socket has 107 characters.
 class NotifySocket {
  public:
-  explicit NotifySocket(const std::string& path) {
+  NotifySocket() {
+    const std::string path = folder_.Path("notify");
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     path.copy(address.sun_path, sizeof(address.sun_path) - 1);
@@ -179,11 +181,12 @@ class NotifySocket {
   }
 
  private:
+  const TemporaryFolder folder_;
   const int socket_ = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
 };
 
 TEST_F(SupervisorProgramTest, SystemdHearsThatItLivesAndHearsNothingWhenItHangs) {
-  const NotifySocket systemd(folder_ + "/notify");
+  const NotifySocket systemd;
   StartSupervisor();
   for (int i = 0; i < 3; ++i) {
     EXPECT_THAT(systemd.Receive(), AllOf(HasSubstr("READY=1"), HasSubstr("WATCHDOG=1")));
