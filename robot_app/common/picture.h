@@ -42,6 +42,11 @@ struct DepthPicture {
   }
 };
 
+/// Whether each pixel's depth is known beside its colour.
+inline bool HaveOneSize(const Picture& colour, const DepthPicture& depth) {
+  return colour.width == depth.width && colour.height == depth.height;
+}
+
 /// A pinhole: the point (x, y, z) of the optical frame (z forward, x right, y down) is seen at the
 /// pixel (cx + fx x / z, cy + fy y / z).
 struct Lens {

@@ -27,9 +27,9 @@ CameraCloud CloudOf(const DepthPicture& depth, const CameraMount& camera) {
 
 SightPicture SeePicture(const Picture& colour, const DepthPicture& depth,
                         const CameraMount& camera) {
-  const bool has_depth = depth.width == colour.width && depth.height == colour.height;
-  return {FindFeatures(colour, depth, camera), camera,
-          CloudOf(has_depth ? depth : DepthPicture(), camera)};
+  const DepthPicture none;
+  const DepthPicture& measured = HaveOneSize(colour, depth) ? depth : none;
+  return {FindFeatures(colour, measured, camera), camera, CloudOf(measured, camera)};
 }
 
 }  // namespace coppice::robot::slam

@@ -41,7 +41,8 @@ struct SessionName {
   double begin = 0;  ///< stamp of its first key frame [s]
 };
 
-/// One point in each cube of `edge` [m], up to `range` [m] from the robot, in whole centimetres.
+/// One point in each cube of `edge` [m], the first that was measured, in whole centimetres; up to
+/// `range` [m] from the robot, and so far above and below it. `range` / `edge` is below 2^20.
 CloudPoints Thinned(const CloudPoints& points, float edge, float range);
 
 struct SlamMap {

@@ -13,7 +13,9 @@ namespace coppice::robot::slam {
 namespace {
 
 constexpr int kMostDifference = 64;  // bits: more is something else
-constexpr float kClearly = 0.85F;    // the second best must differ so much more
+constexpr float kClearly = 0.85F;    // the second best must differ so much more,
+constexpr int kRivals = 75;          // bits: whoever differs more is beaten by all that may be a pair
+static_assert(static_cast<float>(kMostDifference) <= kClearly * (kRivals + 1), "the second best");
 constexpr int kNone = std::numeric_limits<int>::max();
 
 struct Best {
@@ -33,6 +35,7 @@ void Compare(const std::vector<Descriptor>& olds, const std::vector<Descriptor>&
     Best& of_old = bests.of_old[i];
     for (std::size_t k = 0; k < news.size(); ++k) {
       const int difference = Difference(olds[i], news[k]);
+      if (difference > kRivals) continue;
       if (difference < of_old.difference) {
         of_old = {k, difference, of_old.difference};
       } else if (difference < of_old.second) {

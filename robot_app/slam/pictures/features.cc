@@ -77,14 +77,14 @@ PictureFeatures FindFeatures(const Picture& colour, const DepthPicture& depth,
   std::vector<cv::KeyPoint> corners;
   cv::Mat rows;
   orb->detectAndCompute(GrayOf(colour), cv::noArray(), corners, rows);
-  const bool has_depth = depth.width == colour.width && depth.height == colour.height;
+  const DepthPicture none;
+  const DepthPicture& measured = HaveOneSize(colour, depth) ? depth : none;
   for (int i = 0; i < rows.rows; ++i) {
     const cv::Point2f& pixel = corners[static_cast<std::size_t>(i)].pt;
     features.pixels.emplace_back(pixel.x, pixel.y);
     features.descriptors.emplace_back();
     std::memcpy(features.descriptors.back().data(), rows.ptr(i), sizeof(Descriptor));
-    features.points.push_back(
-        PointAt(pixel, has_depth ? depth : DepthPicture(), camera, settings.max_depth));
+    features.points.push_back(PointAt(pixel, measured, camera, settings.max_depth));
   }
   return features;
 }
