@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostDifference = 64;  // bits: more is something else
 constexpr float kClearly = 0.85F;    // the second best must differ so much more,
-constexpr int kRivals = 75;          // bits: whoever differs more is beaten by all that may be a pair
+constexpr int kRivals = 75;          // bits: more is beaten by all that may be a pair
 static_assert(static_cast<float>(kMostDifference) <= kClearly * (kRivals + 1), "the second best");
 constexpr int kNone = std::numeric_limits<int>::max();
 

@@ -24,9 +24,9 @@ using Descriptor = std::array<std::uint64_t, 4>;
 
 /// In how many of the comparisons two differ, 0..256.
 inline int Difference(const Descriptor& a, const Descriptor& b) {
-  int sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += __builtin_popcountll(a[i] ^ b[i]);
-  return sum;
+  // Written out: the compiler leaves it a loop, which takes twice as long.
+  return __builtin_popcountll(a[0] ^ b[0]) + __builtin_popcountll(a[1] ^ b[1]) +
+         __builtin_popcountll(a[2] ^ b[2]) + __builtin_popcountll(a[3] ^ b[3]);
 }
 
 /// A camera on the robot.
