@@ -47,6 +47,8 @@ FacePictures::FacePictures(ros::NodeHandle& node)
 void FacePictures::OnImage(const sensor_msgs::Image& image) {
   const std::size_t row = std::size_t{3} * image.width;
   if (image.encoding != "rgb8" || image.step < row) return;
+  const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+  if (pixels == 0 || pixels > PictureSet::kMostPixels) return;  // none that anybody could be shown
   if (image.data.size() < std::size_t{image.step} * image.height) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   face_.width = image.width;

@@ -2,6 +2,7 @@
 #ifndef COPPICE_ROBOT_APP_COMMON_LASER_SCAN_H_
 #define COPPICE_ROBOT_APP_COMMON_LASER_SCAN_H_
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct LaserScan {
 
 /// At least this share of the beams must tell something.
 inline constexpr double kLeastTellingShare = 0.5;
+/// No scanner in the plane has more beams, or sees farther; what measures more is broken.
+inline constexpr std::size_t kMostBeams = 20'000;
+inline constexpr double kFarthestRange = 500;  ///< m; readings from here on saw nothing
 
 /// Whether the robot may move by this scan. A beam tells something if it hit, or if it met nothing
 /// within range (infinity, REP-117); NaN, minus infinity (too near to measure) and zero do not. A

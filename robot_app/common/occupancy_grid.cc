@@ -1,6 +1,8 @@
 #include "robot_app/common/occupancy_grid.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <utility>
 
 namespace coppice::robot {
 namespace {
@@ -66,7 +68,52 @@ std::vector<float> AlongColumns(const GridFrame& frame, const std::vector<std::u
   return apart;
 }
 
+constexpr double kLongest = 1000;     // m
+constexpr double kLargestArea = 1e5;  // m^2
+
+OccupancyGrid KnownPart(const OccupancyGrid& map) {
+  Cell low{map.frame.width, map.frame.height}, high{-1, -1};
+  for (int i = 0; i < map.frame.size(); ++i) {
+    if (map.cells[i] < 0) continue;
+    const Cell cell = map.frame.CellOf(i);
+    low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
+    high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
+  }
+  OccupancyGrid part;
+  part.frame = map.frame;
+  part.frame.origin_x += low.x * map.frame.resolution;
+  part.frame.origin_y += low.y * map.frame.resolution;
+  part.frame.width = std::max(0, high.x - low.x + 1);
+  part.frame.height = std::max(0, high.y - low.y + 1);
+  if (!CheckSize(part.frame)) return part;
+  for (int y = low.y; y <= high.y; ++y) {
+    const auto row = map.cells.begin() + map.frame.Index({low.x, y});
+    part.cells.insert(part.cells.end(), row, row + part.frame.width);
+  }
+  return part;
+}
+
 }  // namespace
+
+Outcome CheckSize(const GridFrame& frame) {
+  const double wide = frame.width * frame.resolution, high = frame.height * frame.resolution;
+  const bool has_room = std::int64_t{frame.width} * frame.height <= OccupancyGrid::kMostCells &&
+                        wide <= kLongest && high <= kLongest && wide * high <= kLargestArea;
+  if (has_room) return {};
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the map has %d x %d cells of %g m; expected at most %d cells, %g m and %g m^2",
+                frame.width, frame.height, frame.resolution,
+                static_cast<int>(OccupancyGrid::kMostCells), kLongest, kLargestArea);
+  return Problem{text};
+}
+
+Expected<OccupancyGrid> WithRoom(OccupancyGrid map) {
+  if (CheckSize(map.frame)) return map;
+  OccupancyGrid part = KnownPart(map);
+  if (part.cells.empty()) return Problem{CheckSize(map.frame).problem()};
+  return part;
+}
 
 std::vector<float> DistanceTransform(const GridFrame& frame,
                                      const std::vector<std::uint8_t>& blocked, double limit) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
@@ -50,9 +51,22 @@ struct OccupancyGrid {
   /// Occupied from this value on; below it and not negative: free (map_server's threshold).
   static constexpr std::int8_t kOccupied = 65;
 
+  /// Of the largest map that the robot uses: 250 m by 50 m at 0.05 m. Navigation takes 45 bytes for
+  /// each.
+  static constexpr std::int64_t kMostCells = 5'000'000;
+
   /// Unknown counts as blocked: nobody has looked there.
   bool Blocked(int index) const { return cells[index] < 0 || cells[index] >= kOccupied; }
 };
+
+/// A problem if the robot's programs have no room for a map of that size: more than kMostCells, or
+/// longer than a kilometre, or more than 100 000 m^2 (localization searches all of it in squares of
+/// 0.1 m, however large the cells are).
+Outcome CheckSize(const GridFrame& frame);
+
+/// The map, or of one for which there is no room the part that is known; a problem if that is too
+/// large as well. (slam_gmapping draws 200 m by 200 m, whatever it knows of them.)
+Expected<OccupancyGrid> WithRoom(OccupancyGrid map);
 
 /// Distance of every cell's middle to the middle of the nearest cell with `blocked` != 0 [m];
 /// 0 in blocked cells, `limit` where nothing is nearer than `limit`.

@@ -103,7 +103,7 @@ LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount
   scan.angle_min = message.angle_min;
   scan.angle_increment = message.angle_increment;
   scan.range_min = message.range_min;
-  scan.range_max = message.range_max;
+  scan.range_max = std::min<double>(message.range_max, kFarthestRange);  // stays NaN
   scan.ranges = message.ranges;
   return scan;
 }
@@ -136,7 +136,7 @@ Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message) {
     return Problem{"the map is rotated against its frame"};
   }
   grid.cells = message.data;
-  return grid;
+  return WithRoom(std::move(grid));
 }
 
 std::optional<RobotPose::Transform> RobotPose::Lookup(const std::string& target,
@@ -187,6 +187,10 @@ std::optional<Pose2D> RobotPose::MountOf(const std::string& frame) const {
 
 std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& message) const {
   if (!IsOfNow(message.header, "/scan")) return std::nullopt;
+  if (message.ranges.size() > kMostBeams) {  // not even to be copied
+    ROS_WARN_THROTTLE(10, "a scan is not used: it has %zu beams", message.ranges.size());
+    return std::nullopt;
+  }
   const auto mount = MountOf(message.header.frame_id);
   if (!mount) {
     ROS_WARN_THROTTLE(10, "tf does not know where %s is", message.header.frame_id.c_str());

@@ -73,7 +73,7 @@ LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount
 RangeReading ToRangeReading(const sensor_msgs::Range& message, const Pose2D& mount);
 
 /// A problem if the grid is rotated, has not width * height cells, or its cells or its place are
-/// none that a map can have.
+/// none that a map can have, or there is no room for it (WithRoom).
 Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message);
 
 /// Where the robot is, from tf.

@@ -43,7 +43,7 @@ bool LogOddsGrid::Cover(const Point2D& middle, double range) {
   grown.origin_y = (low_y - 0.5) * size;
   grown.width = high_x - low_x;
   grown.height = high_y - low_y;
-  if (std::int64_t{grown.width} * grown.height > kMostCells) return false;
+  if (!CheckSize(grown)) return false;
   if (grown.width == frame_.width && grown.height == frame_.height) return true;
   std::vector<Value> values(grown.size());
   for (int y = 0; y < frame_.height; ++y) {

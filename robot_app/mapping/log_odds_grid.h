@@ -17,14 +17,11 @@ namespace coppice::robot::mapping {
 
 class LogOddsGrid {
  public:
-  /// No map is larger than that: 400 m x 156 m at 0.05 m.
-  static constexpr int kMostCells = 25'000'000;
-
   explicit LogOddsGrid(double resolution) { frame_.resolution = resolution; }
 
   /// A scan, taken with base_link at `pose`. Beams are believed up to `range` [m]: what they met
   /// farther away is not entered, only that the way there is free. False if the map would become
-  /// too large; then nothing has changed.
+  /// too large (CheckSize); then nothing has changed.
   bool Add(const LaserScan& scan, const Pose2D& pose, double range);
 
   /// Probabilities of 0 to 100; unknown where no beam was. As large as what is known.

@@ -146,7 +146,10 @@ std::optional<OccupancyGrid> LoadMap(const std::string& yaml, Diagnostics& diagn
         : occupied < header.free   ? std::int8_t{0}
                                    : kUnknown;
   }
-  return map;
+  Expected<OccupancyGrid> fitting = WithRoom(std::move(map));
+  if (fitting) return *std::move(fitting);
+  diagnostics.Error({yaml, 0, 0}, fitting.problem());
+  return std::nullopt;
 }
 
 }  // namespace coppice::robot::mapping

@@ -35,13 +35,10 @@ class Costmap {
   bool Lethal(int index) const { return cost_[index] == kLethal; }
   /// True for cells outside the grid as well.
   bool Lethal(Cell cell) const { return !frame_.Contains(cell) || Lethal(frame_.Index(cell)); }
-  /// Distance to the nearest obstacle [m], at most the inflation radius.
-  float distance(int index) const { return distance_[index]; }
 
  private:
   CostSettings settings_;
   GridFrame frame_;
-  std::vector<float> distance_;
   std::vector<float> cost_;
 };
 

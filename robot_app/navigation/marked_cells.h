@@ -22,8 +22,9 @@ class MarkedCells {
 
   /// A cell that is marked already gets the newer time.
   void Mark(int index, double time) {
+    if (list_.empty()) since_ = time;
     if (!Marked(index)) list_.push_back(index);
-    seen_[index] = time;
+    seen_[index] = static_cast<float>(time - since_);
   }
   bool Marked(int index) const { return seen_[index] != kNever; }
   /// In no particular order, each once.
@@ -45,17 +46,18 @@ class MarkedCells {
   }
   /// Drops the marks that are older than `age` at `now` [s].
   void Forget(double now, double age) {
-    KeepIf([&](int index) { return now - seen_[index] <= age; });
+    KeepIf([&](int index) { return now - since_ - seen_[index] <= age; });
   }
   void Clear() {
     KeepIf([](int) { return false; });
   }
 
  private:
-  static constexpr double kNever = -1e300;
+  static constexpr float kNever = -1e30F;
 
   GridFrame frame_;
-  std::vector<double> seen_;  // per cell: when it was last marked
+  double since_ = 0;         // when the first one was marked [s]
+  std::vector<float> seen_;  // per cell: when it was last marked, since then; maps are large
   std::vector<int> list_;
 };
 

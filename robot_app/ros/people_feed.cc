@@ -12,6 +12,7 @@ using leaves::Mask;
 using leaves::SeenPerson;
 
 constexpr char kBase[] = "base_link";
+constexpr std::size_t kMostPeople = 1000;  // more nobody can see at once
 
 double Millimetres(double value) { return std::round(value * 1000) / 1000; }
 
@@ -61,6 +62,7 @@ void PeopleFeed::OnPeople(const coppice_msgs::People& message) const {
   for (const coppice_msgs::Person& person : message.people) {
     const SeenPerson seen = FromMessage(person, frame);
     if (IsFinite(seen)) view.people.push_back(seen);
+    if (view.people.size() == kMostPeople) break;
   }
   for (const Sender<leaves::PeopleView>& tree : trees_) tree.Send(view);
 }

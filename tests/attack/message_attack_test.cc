@@ -6,6 +6,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
+#include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/BatteryState.h>
@@ -22,6 +23,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <sstream>
 
 #include "robot_app/common/child_process.h"
 #include "tests/robot_app/eventually.h"
@@ -184,6 +186,98 @@ TEST_F(MessageAttack, OdometryThatIsNoNumberLeavesNoMotionWithoutAnEnd) {
   EXPECT_TRUE(result.get()) << "it drives still: " << (command.get() ? command.get()->linear.x : 0)
                             << " m/s";
   ExpectAllRun();
+}
+
+// Cells of 5 m, by a slip of the one who wrote the map's file; and a building of a quarter of a
+// kilometre, of which there are too many cells.
+TEST_F(MessageAttack, MapsForWhichThereIsNoRoomEndNothingAndTheOldOneHolds) {
+  Start({"coppice-odometry-filter"});
+  Start({"coppice-localization", "_start_pose:=-2.4 0 3.14159"});
+  Start({"coppice-navigation"});
+  const Latest<LocalizationState> state(node_, "/localization/state");
+  const auto is_placed = [&] { return state.get() && state.get()->phase == LocalizationState::OK; };
+  ASSERT_TRUE(Eventually(is_placed));
+  ros::Publisher maps = node_.advertise<nav_msgs::OccupancyGrid>("/map", 5);
+  ASSERT_TRUE(Eventually([&] { return maps.getNumSubscribers() == 2; }));
+  for (const auto& [resolution, width] : {std::pair(5.0F, 400U), {0.05F, 5000U}, {1.0F, 1100U}}) {
+    nav_msgs::OccupancyGrid map;
+    map.info.resolution = resolution;
+    map.info.width = map.info.height = width;
+    map.info.origin.orientation.w = 1;
+    map.data.resize(std::size_t{width} * width);
+    maps.publish(map);
+  }
+  const auto has_refused = [](const std::string& name) {
+    const std::string log = TextOf(Log(name));
+    return log.find("1100 x 1100 cells") != std::string::npos;  // the last one
+  };
+  EXPECT_TRUE(Eventually(
+      [&] { return has_refused("coppice-localization") && has_refused("coppice-navigation"); }));
+  ExpectAllRun();
+  const double then = Now();
+  EXPECT_TRUE(
+      Eventually([&] { return is_placed() && state.get()->header.stamp.toSec() > then + 1; }));
+}
+
+// A scanner that sees without end, by its own words, in a hall that is open on one side.
+TEST_F(MessageAttack, AReadingFromLightYearsAwayHoldsNothingUp) {
+  Start({"coppice-odometry-filter"});
+  Start({"coppice-localization", "_start_pose:=-2.4 0 3.14159"});
+  const Latest<LocalizationState> state(node_, "/localization/state");
+  ASSERT_TRUE(Eventually([&] { return state.get() && state.get()->score > 0; }));
+  const Latest<nav_msgs::OccupancyGrid> honest(node_, "/map");
+  ros::Publisher maps = node_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
+  ASSERT_TRUE(Eventually([&] { return honest.get() && maps.getNumSubscribers() == 2; }));
+  nav_msgs::OccupancyGrid open = *honest.get();
+  for (std::size_t i = 0; i < open.data.size(); ++i) {
+    if (i % open.info.width / 40 % 2 == 0) open.data[i] = 0;
+  }
+  maps.publish(open);
+  SayAgain<sensor_msgs::LaserScan>(
+      "/scan",
+      [](sensor_msgs::LaserScan& scan) {
+        scan.header.stamp += ros::Duration(0.001);  // or it would say nothing new
+        scan.range_max = std::numeric_limits<float>::infinity();
+        for (std::size_t i = 0; i < scan.ranges.size(); i += 3) scan.ranges[i] = 1e30F;
+      },
+      20);
+  const double then = Now();
+  EXPECT_TRUE(Eventually([&] { return state.get()->header.stamp.toSec() > then + 1; }, 20));
+  ExpectAllRun();
+}
+
+// Whoever detects things may give each a frame of its own.
+TEST_F(MessageAttack, FramesWithoutEndTakeNoMemoryAndMisplaceNothing) {
+  Start({"coppice-odometry-filter"});
+  Start({"coppice-localization", "_start_pose:=-2.4 0 3.14159"});
+  const Latest<LocalizationState> state(node_, "/localization/state");
+  const auto is_placed = [&] { return state.get() && state.get()->phase == LocalizationState::OK; };
+  ASSERT_TRUE(Eventually(is_placed));
+  ros::Publisher broken = node_.advertise<tf2_msgs::TFMessage>("/tf", 100);
+  ASSERT_TRUE(Eventually([&] { return broken.getNumSubscribers() >= 2; }));
+  for (int i = 0; i < 50'000; ++i) {
+    static tf2_msgs::TFMessage message;
+    geometry_msgs::TransformStamped& one = message.transforms.emplace_back();
+    one.header.stamp = clock_.get()->clock;
+    one.header.frame_id = "map";
+    one.child_frame_id = "box_" + std::to_string(i);
+    one.transform.rotation.w = 1;
+    if (message.transforms.size() < 1000) continue;
+    broken.publish(message);
+    message.transforms.clear();
+  }
+  EXPECT_TRUE(Eventually([] {
+    return TextOf(Log("coppice-localization")).find("too many frames") != std::string::npos;
+  }));
+  const double then = Now();
+  EXPECT_TRUE(Eventually([&] {
+    return is_placed() && state.get()->header.stamp.toSec() > then + 1;
+  })) << state.get()->message;
+  ExpectAllRun();
+  std::istringstream status(TextOf("/proc/" + std::to_string(programs_.back().pid()) + "/status"));
+  std::string line;
+  while (std::getline(status, line) && line.rfind("VmHWM:", 0) != 0) continue;
+  EXPECT_LT(std::stoi(line.substr(6)), 60'000) << "kilobytes, of which it has 20 000 without them";
 }
 
 }  // namespace

@@ -17,7 +17,6 @@ using coppice_msgs::ProcessState;
 using nlohmann::json;
 
 constexpr std::size_t kMostPoints = 200;
-constexpr std::size_t kMostCells = 64 << 20;
 
 std::string Dump(const json& object) {
   return object.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -127,7 +126,9 @@ std::string TreesText(const std::vector<TreeText>& trees) {
 
 std::optional<std::string> MapBytes(const nav_msgs::OccupancyGrid& map) {
   const std::uint64_t cells = std::uint64_t{map.info.width} * map.info.height;
-  if (cells != map.data.size() || cells == 0 || cells > kMostCells) return std::nullopt;
+  if (cells != map.data.size() || cells == 0 || cells > OccupancyGrid::kMostCells) {
+    return std::nullopt;
+  }
   if (!(map.info.resolution > 0) || !IsValid(map.info.origin)) return std::nullopt;
   const Pose2D corner = ToPose2D(map.info.origin);
   std::string bytes = {2, 0, 0, 0};

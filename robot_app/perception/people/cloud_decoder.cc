@@ -8,6 +8,8 @@
 namespace coppice::robot::perception {
 namespace {
 
+constexpr std::uint64_t kMostPoints = 1'000'000;  // four times those of the largest lidars
+
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
@@ -80,6 +82,9 @@ Outcome CheckSizes(const PointCloud2& message) {
                    std::to_string(message.height) + " points of " +
                    std::to_string(message.point_step) + " bytes and has " +
                    std::to_string(message.data.size()) + " bytes"};
+  }
+  if (std::uint64_t{message.width} * message.height > kMostPoints) {
+    return Problem{"the cloud has more than " + std::to_string(kMostPoints) + " points"};
   }
   return {};
 }

@@ -23,7 +23,6 @@ constexpr double kCameraAlive = 1.5;
 constexpr double kLaserAlive = 0.5;
 constexpr double kTooFar = 0.5;  // nearer than the end of a camera's view is surely in it [m]
 constexpr std::size_t kMostCameras = 16;
-constexpr std::size_t kMostBeams = 10000;
 
 Detection ToDetection(const SeenPerson& person, const Pose2D& lidar) {
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(lidar.yaw).toRotationMatrix();

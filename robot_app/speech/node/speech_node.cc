@@ -4,6 +4,8 @@
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 
+#include <algorithm>
+
 #include "robot_app/common/shipped.h"
 #include "robot_app/knowledge/answers/real_way.h"
 #include "robot_app/speech/node/spinner_task.h"
@@ -16,6 +18,7 @@ constexpr double kWatchPeriod = 0.05;  // wall time [s]
 constexpr double kStatePeriod = 1.0;   // wall time [s]
 constexpr double kPosePatience = 0.5;  // wall time [s]
 constexpr int kAnswerPriority = coppice_msgs::SpeakGoal::NORMAL;
+constexpr std::size_t kLongestQuestion = 1000;  // bytes; no person asks more at once
 
 void Warn(const std::string& problem) {
   if (!problem.empty()) ROS_WARN_STREAM(problem);
@@ -165,6 +168,11 @@ void SpeechNode::OnAnswer(const ros::MessageEvent<coppice_msgs::Answer const>& e
 }
 
 bool SpeechNode::OnAsk(coppice_msgs::Ask::Request& request, coppice_msgs::Ask::Response& response) {
+  const auto longest = std::max({request.text.size(), request.language.size(), request.who.size()});
+  if (longest > kLongestQuestion) {
+    ROS_WARN("a question of %zu bytes is not answered", longest);
+    return false;
+  }
   coppice_msgs::Heard heard;
   heard.header.stamp = ros::Time::now();
   heard.language = request.language.empty() ? SpokenNow() : request.language;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 
 #include "tests/robot_app/eventually.h"
@@ -53,6 +54,19 @@ TEST_F(FacePicturesTest, HaveTheFaceWithTheNameOfItsExpression) {
   names_.publish(name);
   images_.publish(Image(2, 2, 200));
   EXPECT_TRUE(Shows({"face", "SAD", 2, 2, {200, 9, 9, 200, 9, 9, 200, 9, 9, 200, 9, 9}}));
+}
+
+TEST_F(FacePicturesTest, WithoutAWidthOrOfMillionsOfPixelsThereIsNoPicture) {
+  sensor_msgs::Image image;
+  image.encoding = "rgb8";
+  image.height = std::numeric_limits<std::uint32_t>::max();
+  images_.publish(image);
+  image.height = image.width = 5000;
+  image.step = 3 * image.width;
+  image.data.resize(std::size_t{image.step} * image.height);  // twice this nobody may have
+  images_.publish(image);
+  images_.publish(Image(1, 1, 200));
+  EXPECT_TRUE(Shows({"face", "", 1, 1, {200, 9, 9}}));
 }
 
 TEST_F(FacePicturesTest, HaveTheStripsWithTheAnglesOfTheJoints) {

@@ -5,7 +5,9 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
@@ -81,6 +83,53 @@ TEST(RosMessages, AGridMustHaveASizeAndAPlaceThatAMapCanHave) {
   message = good;
   message.info.origin.orientation.w = NAN;
   EXPECT_THAT(ToGrid(message).problem(), HasSubstr("rotated"));
+}
+
+nav_msgs::OccupancyGrid Map(float resolution, std::uint32_t width, std::uint32_t height) {
+  nav_msgs::OccupancyGrid message;
+  message.info.resolution = resolution;
+  message.info.width = width;
+  message.info.height = height;
+  message.info.origin.orientation.w = 1;
+  message.data.assign(std::size_t{width} * height, 0);
+  return message;
+}
+
+TEST(RosMessages, AGridForWhichThereIsNoRoomIsRefused) {
+  EXPECT_TRUE(ToGrid(Map(0.05F, 2000, 2500)));
+  EXPECT_THAT(ToGrid(Map(0.05F, 5000, 5000)).problem(), HasSubstr("5000 x 5000 cells of 0.05 m"));
+  EXPECT_THAT(ToGrid(Map(5, 400, 400)).problem(), HasSubstr("at most 5000000 cells"));
+  EXPECT_THAT(ToGrid(Map(1, 1, 1001)).problem(), HasSubstr("1000 m"));
+}
+
+TEST(RosMessages, OfAGridOfWhichLittleIsKnownThatIsTaken) {
+  nav_msgs::OccupancyGrid message = Map(0.05F, 4000, 4000);  // as slam_gmapping draws it
+  message.info.origin.position.x = message.info.origin.position.y = -100;
+  std::fill(message.data.begin(), message.data.end(), -1);
+  message.data[2000 * 4000 + 2010] = 100;
+  message.data[2003 * 4000 + 2001] = 0;
+  const Expected<OccupancyGrid> grid = ToGrid(message);
+  ASSERT_TRUE(grid) << grid.problem();
+  EXPECT_EQ(grid->frame.width, 10);
+  EXPECT_EQ(grid->frame.height, 4);
+  EXPECT_NEAR(grid->frame.origin_x, 0.05, 1e-5);
+  EXPECT_NEAR(grid->frame.origin_y, 0, 1e-5);
+  EXPECT_EQ(grid->cells[9], 100);
+  EXPECT_EQ(grid->cells[30], 0);
+  std::fill(message.data.begin(), message.data.end(), -1);
+  EXPECT_THAT(ToGrid(message).problem(), HasSubstr("4000 x 4000")) << "nothing is known";
+}
+
+TEST(RosMessages, AScannerThatSeesWithoutEndSeesAsFarAsOthers) {
+  sensor_msgs::LaserScan message;
+  message.range_max = std::numeric_limits<float>::infinity();
+  message.ranges = {1e30F, 2};
+  const LaserScan scan = ToLaserScan(message, {});
+  EXPECT_EQ(scan.range_max, kFarthestRange);
+  EXPECT_TRUE(scan.MetNothing(0));
+  EXPECT_TRUE(scan.Hit(1));
+  message.range_max = NAN;
+  EXPECT_FALSE(IsUsable(ToLaserScan(message, {})));
 }
 
 TEST(RosMessages, ScansKeepTheirTimeAndBeams) {

@@ -87,6 +87,7 @@ TEST(LogOddsGrid, DoesNotGrowWithoutEnd) {
   ASSERT_TRUE(grid.Add(Beam(2), {}, 10));
   EXPECT_FALSE(grid.Add(Beam(2), {1e4, 1e4, 0}, 10));
   EXPECT_FALSE(grid.Add(Beam(2), {1e300, 0, 0}, 10));
+  EXPECT_FALSE(grid.Add(Beam(2), {220, 200, 0}, 10)) << "19 million cells";
   EXPECT_GE(At(grid.ToMap(), 2, 0), 0);
 }
 

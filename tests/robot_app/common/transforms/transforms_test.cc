@@ -64,5 +64,59 @@ TEST_F(TransformsTest, AskedForAnImpossibleTimeItSaysSo) {
   EXPECT_FALSE(transforms_.Find("odom", "base_link", never));
 }
 
+tf2_msgs::TFMessage Frames(const std::string& prefix, std::size_t count, const ros::Time& stamp) {
+  tf2_msgs::TFMessage message;
+  for (std::size_t i = 0; i < count; ++i) {
+    geometry_msgs::TransformStamped& one = message.transforms.emplace_back();
+    one.header.stamp = stamp;
+    one.header.frame_id = "map";
+    one.child_frame_id = prefix + std::to_string(i);
+    one.transform.rotation.w = 1;
+  }
+  return message;
+}
+
+TEST(TransformMemory, ThereIsRoomForAThousandFramesThatMove) {
+  TransformMemory memory;
+  const ros::Time now(1000);
+  EXPECT_EQ(memory.Store(Frames("robot_", 1, now), false, now), 0U);
+  EXPECT_EQ(memory.Store(Frames("box_", 2000, now), false, now), 2000 - 998U);
+  EXPECT_TRUE(memory.Find("map", "robot_0", ros::Time()));
+  EXPECT_TRUE(memory.Find("map", "box_997", ros::Time()));
+  EXPECT_FALSE(memory.Find("map", "box_998", ros::Time()));
+}
+
+TEST(TransformMemory, WhatIsNotHeardOfAnyMoreMakesRoomButForWhatHolds) {
+  TransformMemory memory;
+  memory.Store(Frames("laser_", 1, ros::Time()), true, ros::Time(1000));
+  memory.Store(Frames("box_", 2000, ros::Time(1000)), false, ros::Time(1000));
+  const auto refused = [&](double now) {
+    return memory.Store(Frames("robot_", 1, ros::Time(now)), false, ros::Time(now));
+  };
+  EXPECT_EQ(refused(1009), 1U);
+  EXPECT_EQ(refused(1011), 0U);
+  EXPECT_TRUE(memory.Find("map", "robot_0", ros::Time()));
+  EXPECT_TRUE(memory.Find("map", "laser_0", ros::Time()));
+  EXPECT_FALSE(memory.Find("map", "box_0", ros::Time()));
+}
+
+TEST(TransformMemory, OfThoseThatHoldThereAreAThousandAndNoneHasAnEndlessName) {
+  TransformMemory memory;
+  const ros::Time now(1000);
+  EXPECT_EQ(memory.Store(Frames("box_", 1500, now), true, now), 1500 - 999U);
+  EXPECT_EQ(memory.Store(Frames("robot_", 1, now), false, now), 0U) << "which move";
+  EXPECT_EQ(memory.Store(Frames(std::string(300, 'x'), 1, now), false, now), 1U);
+}
+
+TEST(TransformMemory, WhereTimeGoesBackWhatHoldsStays) {
+  TransformMemory memory;
+  memory.Store(Frames("laser_", 1, ros::Time()), true, ros::Time(1000));
+  memory.Store(Frames("robot_", 1, ros::Time(1000)), false, ros::Time(1000));
+  memory.Store(Frames("wheel_", 1, ros::Time(10)), false, ros::Time(10));
+  EXPECT_TRUE(memory.Find("map", "laser_0", ros::Time()));
+  EXPECT_TRUE(memory.Find("map", "wheel_0", ros::Time()));
+  EXPECT_FALSE(memory.Find("map", "robot_0", ros::Time()));
+}
+
 }  // namespace
 }  // namespace coppice::robot

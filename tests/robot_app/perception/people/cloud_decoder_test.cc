@@ -106,6 +106,16 @@ TEST(Decode, SizesThatDoNotAgreeAreAProblem) {
   EXPECT_NE(ProblemOf(message), "");
 }
 
+TEST(Decode, MorePointsThanALidarMeasuresAreAProblem) {
+  PointCloud2 message = Message({});
+  message.width = 6'000'000;
+  message.point_step = 4;  // all fields on one another: 24 MB become 144
+  message.row_step = message.width * message.point_step;
+  message.data.resize(message.row_step);
+  for (PointField& field : message.fields) field.offset = 0;
+  EXPECT_THAT(ProblemOf(message), HasSubstr("more than 1000000 points"));
+}
+
 TEST(Decode, AFieldOutsideItsPointIsAProblem) {
   PointCloud2 message = Message({{1, 2, 3, 40, 5}});
   message.fields[0].offset = 19;

@@ -161,6 +161,13 @@ TEST_F(SpeechNodeTest, AnswersWhatIsAskedInWriting) {
   EXPECT_TRUE(Eventually([&] { return told.get() && told.get()->text == answer.text; }));
 }
 
+TEST_F(SpeechNodeTest, WhatNobodyAsksInOneBreathIsNotAnswered) {
+  coppice_msgs::Ask ask;
+  ask.request.text = std::string(10 << 20, 'x');
+  EXPECT_FALSE(ros::service::call("/speech/ask", ask));
+  EXPECT_NE(Asked("where is the library", "").place, "");
+}
+
 TEST_F(SpeechNodeTest, TheNearestPlaceIsThatFromWhereTheRobotIs) {
   EXPECT_EQ(NearestOfficeFrom(8), "office_105");
   EXPECT_EQ(NearestOfficeFrom(24), "office_103");
