@@ -194,11 +194,13 @@ class TabletNode {
 
 // Throws if a file cannot be read; what is wrong with it was told.
 std::unique_ptr<TabletDesk> OpenDesk(const Options& options, TabletLinks& links) {
-  const Outcome filled = knowledge::FillIfEmpty(options.Get("--knowledge"), options.Get("--site"));
-  if (!filled) throw std::runtime_error(filled.problem());
+  const std::string file = options.Get("--knowledge");
+  auto opened = knowledge::OpenFilled(file, options.Get("--site"));
+  if (!opened) throw std::runtime_error(opened.problem());
+  if (opened->is_copy()) ROS_WARN("%s cannot be written; it is read as it is", file.c_str());
   Diagnostics diagnostics;
-  auto dialogue = knowledge::Dialogue::Open(options.Get("--knowledge"),
-                                            Shipped(COPPICE_LANGUAGE_FOLDER), diagnostics);
+  auto dialogue =
+      knowledge::Dialogue::Make(*std::move(opened), Shipped(COPPICE_LANGUAGE_FOLDER), diagnostics);
   auto map = TopologicalMap::Load(options.Get("--places"), diagnostics);
   std::cerr << diagnostics.ToString();
   if (!dialogue || !map) throw std::runtime_error("without them the tablet knows nothing");

@@ -12,6 +12,7 @@
 
 #include <SQLiteCpp/Database.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -21,6 +22,15 @@ namespace coppice::robot {
 /// [bytes] for a value. Throws SQLite::Exception, as all that is done with it.
 std::unique_ptr<SQLite::Database> OpenDatabase(const std::string& path, int flags, int patience,
                                                int longest);
+
+/// Whether an error says that the disk is full, or cannot be written or read any more.
+bool IsOfTheDisk(const SQLite::Exception& error);
+
+/// What the file holds, in memory, where the disk takes nothing, not even the log that SQLite has
+/// beside a file which it reads; empty if there is no such file. Changes are forgotten. As
+/// OpenDatabase; also throws if the file is larger than `largest` [bytes].
+std::unique_ptr<SQLite::Database> CopyOfDatabase(const std::string& path, std::uintmax_t largest,
+                                                 int longest);
 
 }  // namespace coppice::robot
 

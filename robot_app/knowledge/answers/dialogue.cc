@@ -32,11 +32,17 @@ LanguageFiles LanguageFiles::Load(const std::string& folder, Diagnostics& diagno
 
 std::unique_ptr<Dialogue> Dialogue::Open(const std::string& database, const std::string& folder,
                                          Diagnostics& diagnostics) {
-  LanguageFiles files = LanguageFiles::Load(folder, diagnostics);
   auto opened = Database::Open(database);
-  if (!opened) diagnostics.Error({database, 0, 0}, opened.problem());
+  if (opened) return Make(*std::move(opened), folder, diagnostics);
+  diagnostics.Error({database, 0, 0}, opened.problem());
+  return nullptr;
+}
+
+std::unique_ptr<Dialogue> Dialogue::Make(Database database, const std::string& folder,
+                                         Diagnostics& diagnostics) {
+  LanguageFiles files = LanguageFiles::Load(folder, diagnostics);
   if (diagnostics.has_errors()) return nullptr;
-  return std::unique_ptr<Dialogue>(new Dialogue(*std::move(opened), std::move(files)));
+  return std::unique_ptr<Dialogue>(new Dialogue(std::move(database), std::move(files)));
 }
 
 Dialogue::Dialogue(Database database, LanguageFiles files)

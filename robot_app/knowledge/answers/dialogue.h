@@ -48,6 +48,8 @@ class Dialogue {
   /// Null, with the reasons, if the database or a file cannot be read.
   static std::unique_ptr<Dialogue> Open(const std::string& database, const std::string& folder,
                                         Diagnostics& diagnostics);
+  static std::unique_ptr<Dialogue> Make(Database database, const std::string& folder,
+                                        Diagnostics& diagnostics);
 
   /// Answers what somebody has said or typed. A damaged database is an answer, too: not now.
   Answer Hear(std::string_view text, WallTime now);

@@ -7,15 +7,16 @@
 
 namespace coppice::robot::knowledge {
 
-Outcome FillIfEmpty(const std::string& path, const std::string& site) {
-  auto database = Database::OpenOrCreate(path);
-  if (!database) return Problem{database.problem()};
-  if (site.empty() || FindSite(*database)) return {};
+Expected<Database> OpenFilled(const std::string& path, const std::string& site) {
+  auto database = Database::OpenOrCopy(path);
+  if (!database || site.empty() || FindSite(*database)) return database;
   Diagnostics diagnostics;
   const Campus campus =
       ReadCampus(site == "sample" ? Shipped(COPPICE_SAMPLE_FOLDER) : site, diagnostics);
   if (diagnostics.has_errors()) return Problem{diagnostics.ToString()};
-  return WriteCampus(*database, campus);
+  const Outcome written = WriteCampus(*database, campus);
+  if (!written) return Problem{written.problem()};
+  return database;
 }
 
 }  // namespace coppice::robot::knowledge

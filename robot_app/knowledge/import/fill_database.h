@@ -5,13 +5,15 @@
 #include <string>
 
 #include "bt_core/base/outcome.h"
+#include "robot_app/knowledge/store/database.h"
 
 namespace coppice::robot::knowledge {
 
 /// Makes the database `path`, if it is not there, and imports the files of the folder `site` into
 /// one that knows of no site; "sample" is the invented campus, empty: imports nothing. Several
-/// programs may do so at once. A problem tells all that is wrong with the files.
-Outcome FillIfEmpty(const std::string& path, const std::string& site);
+/// programs may do so at once. Where the disk takes nothing it is a copy (Database::OpenOrCopy). A
+/// problem tells all that is wrong with the files.
+Expected<Database> OpenFilled(const std::string& path, const std::string& site);
 
 }  // namespace coppice::robot::knowledge
 

@@ -8,8 +8,9 @@
 namespace coppice::robot::knowledge {
 namespace {
 
-constexpr int kPatience = 5000;          // ms, with another writer
-constexpr int kLongestValue = 16 << 20;  // bytes
+constexpr int kPatience = 5000;                                    // ms, with another writer
+constexpr int kLongestValue = 16 << 20;                            // bytes
+constexpr std::uintmax_t kLargestCopy = std::uintmax_t{64} << 20;  // bytes
 
 }  // namespace
 
@@ -27,13 +28,36 @@ Expected<Database> Database::OpenOrCreate(const std::string& path) {
 
 Expected<Database> Database::OpenAs(const std::string& path, int flags) {
   try {
-    Database database(OpenDatabase(path, flags, kPatience, kLongestValue));
-    const Outcome outcome = database.Prepare(path);
-    if (!outcome) return Problem{outcome.problem()};
+    return Prepared(OpenDatabase(path, flags, kPatience, kLongestValue), path);
+  } catch (const SQLite::Exception& error) {
+    return Problem{path + ": " + error.what()};
+  }
+}
+
+Expected<Database> Database::OpenOrCopy(const std::string& path) {
+  try {
+    return Prepared(
+        OpenDatabase(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kPatience, kLongestValue),
+        path);
+  } catch (const SQLite::Exception& error) {
+    if (!IsOfTheDisk(error)) return Problem{path + ": " + error.what()};
+  }
+  try {
+    auto database = Prepared(CopyOfDatabase(path, kLargestCopy, kLongestValue), path);
+    if (database) database->is_copy_ = true;
     return database;
   } catch (const SQLite::Exception& error) {
     return Problem{path + ": " + error.what()};
   }
+}
+
+// Throws SQLite::Exception.
+Expected<Database> Database::Prepared(std::unique_ptr<SQLite::Database> sqlite,
+                                      const std::string& path) {
+  Database database(std::move(sqlite));
+  const Outcome outcome = database.Prepare(path);
+  if (!outcome) return Problem{outcome.problem()};
+  return database;
 }
 
 // Who makes the file does it in one transaction, so nobody sees it half made.

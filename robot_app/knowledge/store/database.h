@@ -28,9 +28,15 @@ class Database {
   static Expected<Database> Open(const std::string& path);
   /// Makes the file, without knowledge, if it is missing or empty. One of others is left alone.
   static Expected<Database> OpenOrCreate(const std::string& path);
+  /// The same for a robot that is to start whatever its disk takes: where that is full, or cannot
+  /// be written, what the file holds is copied into memory.
+  static Expected<Database> OpenOrCopy(const std::string& path);
 
   Database(Database&& other) noexcept;
   ~Database();
+
+  /// Whether it is a copy, of which nobody hears, and which hears of nothing.
+  bool is_copy() const { return is_copy_; }
 
   /// Changes when another connection has written something.
   std::int64_t version() const;
@@ -40,11 +46,14 @@ class Database {
  private:
   explicit Database(std::unique_ptr<SQLite::Database> sqlite);
   static Expected<Database> OpenAs(const std::string& path, int flags);
+  static Expected<Database> Prepared(std::unique_ptr<SQLite::Database> sqlite,
+                                     const std::string& path);
   Outcome Prepare(const std::string& path);
   bool IsEmpty() const;
   void Make();
 
   std::unique_ptr<SQLite::Database> sqlite_;
+  bool is_copy_ = false;
 };
 
 /// While it lives, what is read is of one moment.

@@ -143,7 +143,7 @@ bool Listener::Prepare() {
 
 Outcome Listener::Refresh() {
   if (!database_) {
-    auto database = knowledge::Database::Open(settings_.knowledge);
+    auto database = knowledge::Database::OpenOrCopy(settings_.knowledge);
     if (!database) return Problem{database.problem()};
     database_.emplace(*std::move(database));
   }

@@ -1,5 +1,7 @@
 #include "robot_app/speech/node/conversation.h"
 
+#include <ros/console.h>
+
 #include "robot_app/knowledge/import/fill_database.h"
 
 namespace coppice::robot::speech {
@@ -32,10 +34,11 @@ std::vector<std::string> TextsOf(const std::vector<knowledge::Slot>& slots) {
 Expected<std::unique_ptr<Conversation>> Conversation::Open(const std::string& database,
                                                            const std::string& site,
                                                            const std::string& language_folder) {
-  const Outcome imported = knowledge::FillIfEmpty(database, site);
-  if (!imported) return Problem{imported.problem()};
+  auto opened = knowledge::OpenFilled(database, site);
+  if (!opened) return Problem{opened.problem()};
+  if (opened->is_copy()) ROS_WARN("%s cannot be written; it is read as it is", database.c_str());
   Diagnostics diagnostics;
-  auto dialogue = knowledge::Dialogue::Open(database, language_folder, diagnostics);
+  auto dialogue = knowledge::Dialogue::Make(*std::move(opened), language_folder, diagnostics);
   if (!dialogue) return Problem{diagnostics.ToString()};
   return std::unique_ptr<Conversation>(new Conversation(std::move(dialogue)));
 }

@@ -85,6 +85,7 @@ Expected<std::unique_ptr<Spool>> Spool::Open(const std::string& path, const Spoo
     opened = spool->OpenFile();
   } catch (const SQLite::Exception& error) {
     spool->database_.reset();
+    if (IsOfTheDisk(error)) return spool;  // Add tries it again
     const bool is_damaged = error.getErrorCode() == kDamaged && PutAside(path);
     if (!is_damaged) return Problem{path + ": " + error.what()};
     spool->has_replaced_ = true;

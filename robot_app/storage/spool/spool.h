@@ -56,7 +56,8 @@ struct Backlog {
 class Spool {
  public:
   /// Makes the file if it is missing. One that SQLite finds damaged takes the name PATH.damaged,
-  /// and a new one is begun. A problem if it is of another program, or in use by one.
+  /// and a new one is begun. Where the disk takes nothing it is made by the first Add that can;
+  /// until then all throws. A problem if it is of another program, or in use by one.
   static Expected<std::unique_ptr<Spool>> Open(const std::string& path, const SpoolLimits& limits);
   ~Spool();
 

@@ -54,5 +54,26 @@ TEST_F(OpenDatabaseTest, WhatIsNoFileIsNotWaitedFor) {
   EXPECT_THROW(Open(), SQLite::Exception);
 }
 
+TEST_F(OpenDatabaseTest, ACopyHasWhatTheFileHoldsAndItsChangesAreForgotten) {
+  const std::string file = folder_.Path("what?#%41.db");
+  SQLite::Database(file, kMake).exec("PRAGMA journal_mode = WAL; CREATE TABLE t (n)");
+  SQLite::Database(file, kMake).exec("INSERT INTO t VALUES (7)");
+  std::filesystem::create_directories(file + "-shm");  // there is no room for the log
+  EXPECT_THROW(OpenDatabase(file, kMake, 100, 1000), SQLite::Exception);
+  const auto copy = CopyOfDatabase(file, 1 << 20, 1000);
+  EXPECT_EQ(copy->execAndGet("SELECT n FROM t").getInt(), 7);
+  copy->exec("DELETE FROM t");
+  EXPECT_EQ(CopyOfDatabase(file, 1 << 20, 1000)->execAndGet("SELECT n FROM t").getInt(), 7);
+  EXPECT_THROW(CopyOfDatabase(file, 100, 1000), SQLite::Exception) << "too large";
+}
+
+TEST_F(OpenDatabaseTest, ACopyOfNothingIsEmptyAndAPipeIsNotWaitedFor) {
+  EXPECT_EQ(
+      CopyOfDatabase(file_, 100, 100)->execAndGet("SELECT count(*) FROM sqlite_master").getInt(),
+      0);
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  EXPECT_THROW(CopyOfDatabase(file_, 100, 100), SQLite::Exception);
+}
+
 }  // namespace
 }  // namespace coppice::robot

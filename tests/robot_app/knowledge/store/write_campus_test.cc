@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 #include "tests/robot_app/knowledge/sample_database.h"
@@ -114,6 +115,21 @@ TEST_F(WriteCampusTest, OthersSeeThatSomethingHasChanged) {
   EXPECT_EQ(reader.version(), before);
   ASSERT_TRUE(WriteCampus(writer, CampusOf("a", 3)));
   EXPECT_NE(reader.version(), before);
+}
+
+// Neither log nor journal can be made, as on a disk that is full or cannot be written.
+TEST_F(WriteCampusTest, WhereTheDiskTakesNothingWhatIsKnownIsCopied) {
+  {
+    Database database = Database::OpenOrCreate(path()).value();
+    ASSERT_TRUE(WriteCampus(database, CampusOf("a", 3)));
+    EXPECT_FALSE(Database::OpenOrCopy(path())->is_copy());
+  }
+  std::filesystem::create_directories(path() + "-shm");
+  const auto copy = Database::OpenOrCopy(path());
+  ASSERT_TRUE(copy) << copy.problem();
+  EXPECT_TRUE(copy->is_copy());
+  EXPECT_EQ(GenerationOf(*copy, 3), "a");
+  EXPECT_FALSE(Database::Open(path())) << "an import would be lost";
 }
 
 TEST_F(WriteCampusTest, AFileOfOthersIsLeftAlone) {

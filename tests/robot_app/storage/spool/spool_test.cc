@@ -228,7 +228,29 @@ TEST_F(SpoolTest, BeginsAnewWhenItsFileOrFolderIsDeleted) {
 TEST_F(SpoolTest, LeavesFilesOfOthersAlone) {
   WriteFile(folder_.Path("spool.db"), "a text that is no database, and long enough to be seen");
   EXPECT_FALSE(Spool::Open(folder_.Path("spool.db"), {}));
-  EXPECT_FALSE(Spool::Open(folder_.Path("nowhere/spool.db"), {}));
+}
+
+// As where the disk is full, or cannot be written.
+TEST_F(SpoolTest, BeginsOnceItsFileCanBeMade) {
+  WriteFile(folder_.Path("full"), "no folder");
+  const auto spool = Spool::Open(folder_.Path("full/spool.db"), {}).value();
+  EXPECT_THROW(spool->Add({Make("1")}), std::runtime_error);
+  EXPECT_THROW(spool->Look(), std::runtime_error);
+  std::filesystem::remove(folder_.Path("full"));
+  spool->Add({Make("2")});
+  EXPECT_EQ(Jsons(*spool), std::vector<std::string>{"2"});
+  EXPECT_EQ(spool->Look().lost, 0);
+}
+
+TEST_F(SpoolTest, WhatItHeldBeforeItsDiskWasFullIsThereWhenItTakesSomethingAgain) {
+  Open()->Add({Make("1")});
+  const std::string beside = folder_.Path("spool.db-journal");
+  std::filesystem::create_directories(beside);  // SQLite cannot keep its file there
+  const auto spool = Spool::Open(folder_.Path("spool.db"), {}).value();
+  EXPECT_THROW(spool->Add({Make("2")}), std::runtime_error);
+  std::filesystem::remove(beside);
+  spool->Add({Make("2")});
+  EXPECT_THAT(Jsons(*spool), ElementsAre("1", "2"));
 }
 
 }  // namespace
