@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bt_core/model/utf8.h"
 #include "robot_app/monitoring/gauges/band.h"
 
 namespace coppice::robot::monitoring {
@@ -11,6 +12,8 @@ namespace {
 using leaves::HealthLevel;
 
 constexpr std::size_t kMostStatuses = 2000;  // a limit for a program that invents names
+constexpr Duration kRefusalsShown = std::chrono::minutes(1);
+constexpr std::size_t kLongestName = 200, kLongestMessage = 1000;  // bytes; all is told on often
 
 }  // namespace
 
@@ -29,16 +32,31 @@ void DiagnosticsMonitor::Watch(const std::optional<DiagnosticsWatch>& watch, Tim
 void DiagnosticsMonitor::OnStatus(const std::string& name, int level, const std::string& message,
                                   Time now) {
   if (!watch_ || name.rfind(kOwnDiagnostics, 0) == 0) return;
-  auto status = std::find_if(statuses_.begin(), statuses_.end(),
-                             [&name](const Status& known) { return known.name == name; });
-  if (status == statuses_.end()) {
-    if (statuses_.size() >= kMostStatuses) return;
-    status = statuses_.insert(status, {name, HealthLevel::kOk, "", now});
-  }
+  Status* const status = Of(PlainText(name, kLongestName), now);
+  if (status == nullptr) return;
   status->level = leaves::LevelOfNumber(level);
-  status->message = message;
+  status->message = PlainText(message, kLongestMessage);
   status->heard_at = now;
   status->was_heard_since_change = true;
+}
+
+// Null if there are too many. Who is silent makes room: with names that are invented nobody hides
+// for ever what others say.
+DiagnosticsMonitor::Status* DiagnosticsMonitor::Of(const std::string& name, Time now) {
+  const auto known = std::find_if(statuses_.begin(), statuses_.end(),
+                                  [&name](const Status& status) { return status.name == name; });
+  if (known != statuses_.end()) return &*known;
+  if (statuses_.size() < kMostStatuses) {
+    statuses_.push_back({name, HealthLevel::kOk, "", now});
+    return &statuses_.back();
+  }
+  refused_at_ = now;
+  const auto oldest =
+      std::min_element(statuses_.begin(), statuses_.end(),
+                       [](const Status& a, const Status& b) { return a.heard_at < b.heard_at; });
+  if (now - oldest->heard_at <= watch_->staleness) return nullptr;
+  *oldest = {name, HealthLevel::kOk, "", now};
+  return &*oldest;
 }
 
 std::vector<Finding> DiagnosticsMonitor::Report(const ProcessTable&, const Times& now) {
@@ -58,6 +76,13 @@ std::vector<Finding> DiagnosticsMonitor::Report(const ProcessTable&, const Times
       finding.message = "not repeated for " + SecondsText(silence);
     }
     findings.push_back(std::move(finding));
+  }
+  if (refused_at_ && now.wall - *refused_at_ <= kRefusalsShown) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    findings.push_back(
+        {"diagnostics", "/diagnostics", "", HealthLevel::kWarn, none, "",
+         "more than " + std::to_string(kMostStatuses) + " names: not all that is said is heard",
+         now.ros, ""});
   }
   return findings;
 }

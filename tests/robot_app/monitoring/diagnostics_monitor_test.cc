@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace coppice::robot::monitoring {
 namespace {
 
@@ -73,7 +75,30 @@ TEST_F(DiagnosticsMonitorTest, WhoIsNotHeardAnyMoreInAnotherConfigurationIsNotMi
 
 TEST_F(DiagnosticsMonitorTest, AProgramThatInventsNamesIsBounded) {
   for (int i = 0; i < 5000; ++i) monitor_.OnStatus(std::to_string(i), 0, "", Time(seconds(1)));
-  EXPECT_EQ(At(Time(seconds(1))).size(), 2000u);
+  ASSERT_EQ(At(Time(seconds(1))).size(), 2001u);
+  EXPECT_EQ(At(Time(seconds(1))).back().level, HealthLevel::kWarn);
+  EXPECT_EQ(At(Time(seconds(1))).back().message,
+            "more than 2000 names: not all that is said is heard");
+  EXPECT_EQ(At(Time(seconds(100))).size(), 2000u);
+}
+
+TEST_F(DiagnosticsMonitorTest, WithNamesThatAreInventedNobodyHidesAFaultForEver) {
+  for (int i = 0; i < 3000; ++i) monitor_.OnStatus(std::to_string(i), 0, "", Time(seconds(1)));
+  monitor_.OnStatus("lidar", 2, "broken", Time(seconds(10)));
+  const auto findings = At(Time(seconds(10)));
+  EXPECT_EQ(std::count_if(findings.begin(), findings.end(),
+                          [](const Finding& one) {
+                            return one.subject == "lidar" && one.level == HealthLevel::kError;
+                          }),
+            1);
+}
+
+TEST_F(DiagnosticsMonitorTest, AProgramThatSaysMegabytesIsNotToldOn) {
+  monitor_.OnStatus(std::string(1 << 20, 'n'), 2, std::string(1 << 20, 'm'), Time(seconds(1)));
+  const auto findings = At(Time(seconds(1)));
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_LE(findings[0].subject.size(), 203u);
+  EXPECT_LE(findings[0].message.size(), 1003u);
 }
 
 }  // namespace
