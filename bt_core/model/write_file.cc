@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <random>
 
@@ -20,6 +22,8 @@ constexpr int kTries = 100;  // to find a name that nobody has
 constexpr std::string_view kMark = ".saving-";
 constexpr int kLetters = 8;  // behind that
 constexpr auto kAbandonedAfter = std::chrono::hours(1);
+constexpr auto kLookEvery = std::chrono::minutes(10);
+constexpr std::size_t kMostFolders = 1000;  // that are remembered
 
 std::string AnyName(const std::string& target) {
   constexpr std::string_view kAlphabet = "abcdefghijklmnopqrstuvwxyz0123456789";
@@ -39,8 +43,22 @@ bool IsAbandoned(const fs::directory_entry& entry) {
          fs::file_time_type::clock::now() - written > kAbandonedAfter;
 }
 
+// Looking through a folder of a hundred thousand files takes longer than to save one.
+bool IsTimeToLookAt(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::map<fs::path, std::chrono::steady_clock::time_point> looked;
+  const auto now = std::chrono::steady_clock::now();
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (looked.size() > kMostFolders) looked.clear();
+  const auto [last, is_new] = looked.try_emplace(folder, now);
+  if (!is_new && now - last->second < kLookEvery) return false;
+  last->second = now;
+  return true;
+}
+
 // What a program that was killed while it saved has left there.
 void RemoveAbandoned(const fs::path& folder) {
+  if (!IsTimeToLookAt(folder)) return;
   std::error_code error;
   fs::directory_iterator entry(folder.empty() ? "." : folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {

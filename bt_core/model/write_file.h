@@ -18,8 +18,8 @@ enum class FileReaders : std::uint8_t {
 };
 
 /// Writes a temporary file beside `path`, waits until it is on the disk, renames it, and removes
-/// what killed programs left over an hour ago. A symbolic link stays one, its target is replaced;
-/// what is no file (a device, a pipe, a folder) is not.
+/// what killed programs left over an hour ago, for which it looks every ten minutes. A symbolic
+/// link stays one, its target is replaced; what is no file (a device, a pipe, a folder) is not.
 /// False, with the reason in `diagnostics`, if that fails; then the old file is as it was.
 bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics,
                FileReaders readers = FileReaders::kUsual);

@@ -63,6 +63,16 @@ TEST_F(WriteFileTest, TakesAwayWhatAKilledProgramLeftAnHourAgo) {
   EXPECT_EQ(CountFiles(), 4U);
 }
 
+// There may be a hundred thousand files.
+TEST_F(WriteFileTest, DoesNotLookThroughTheFolderAgainAtOnce) {
+  EXPECT_TRUE(WriteFile(Path("1.bin"), "1", diagnostics_));
+  std::ofstream(Path("2.bin.saving-abcd1234")) << "half a fi";
+  fs::last_write_time(Path("2.bin.saving-abcd1234"),
+                      fs::file_time_type::clock::now() - std::chrono::hours(2));
+  EXPECT_TRUE(WriteFile(Path("3.bin"), "3", diagnostics_));
+  EXPECT_TRUE(fs::exists(Path("2.bin.saving-abcd1234")));
+}
+
 TEST_F(WriteFileTest, LeavesPipesAndDevicesWhatTheyAre) {
   ASSERT_EQ(mkfifo(Path("pipe").c_str(), 0600), 0);
   fs::create_symlink(Path("pipe"), Path("link"));
