@@ -1,5 +1,6 @@
 #include "robot_app/tablet/tablet_desk.h"
 
+#include <chrono>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -17,8 +18,9 @@ using knowledge::Request;
 using knowledge::TouchButton;
 using knowledge::TouchScreen;
 
-constexpr std::size_t kLongestPath = 8;    // steps
-constexpr std::size_t kLongestText = 300;  // bytes
+constexpr std::size_t kLongestPath = 8;      // steps
+constexpr std::size_t kLongestText = 300;    // bytes
+constexpr std::chrono::seconds kHeldFor{3};  // a page says it each half second
 constexpr char kRefused[] = "That cannot be asked here.";
 
 // Throws if it is too long.
@@ -91,6 +93,15 @@ bool TabletDesk::TakeWasAsked() {
   return std::exchange(was_asked_, false);
 }
 
+void TabletDesk::EndTalkUnlessHeld() {
+  const std::lock_guard lock(mutex_);
+  if (!held_at_) return;
+  const auto since = clock_() - *held_at_;
+  if (since <= kHeldFor && since >= -kHeldFor) return;
+  held_at_.reset();
+  links_.Talk(false);
+}
+
 nlohmann::json TabletDesk::Screen(const Json& call) {
   const TouchScreen screen = dialogue_->Screen(PathOf(call));
   Json buttons = Json::array();
@@ -148,7 +159,9 @@ nlohmann::json TabletDesk::Stop(const Json&) {
 }
 
 nlohmann::json TabletDesk::Talk(const Json& call) {
-  links_.Talk(call.at("on").get<bool>());
+  const bool on = call.at("on").get<bool>();
+  held_at_ = on ? std::optional(clock_()) : std::nullopt;
+  links_.Talk(on);
   return Json::object();
 }
 
@@ -160,6 +173,7 @@ nlohmann::json TabletDesk::Touched(const Json&) {
 nlohmann::json TabletDesk::Leave(const Json&) {
   dialogue_->Forget();
   choices_.clear();
+  held_at_.reset();
   links_.Talk(false);
   return Json::object();
 }

@@ -78,6 +78,10 @@ class TabletDesk {
   /// times a second.
   bool TakeWasAsked();
 
+  /// Now and then: a button to talk that is not said to be held any more was let go; the page was
+  /// closed, or its battery is empty.
+  void EndTalkUnlessHeld();
+
  private:
   using Json = nlohmann::json;
   using Handler = Json (TabletDesk::*)(const Json& call);
@@ -113,6 +117,7 @@ class TabletDesk {
   TabletView view_;
   std::vector<knowledge::Choice> choices_;  // of the answer that the page has told last
   bool was_asked_ = false;
+  std::optional<WallTime> held_at_;  // the button to talk; nothing: it is not
 };
 
 }  // namespace coppice::robot::tablet

@@ -173,6 +173,7 @@ class TabletNode {
   // Only while somebody looks at the page: transforms come often.
   void LookWhereItIs() {
     const ros::WallTime now = ros::WallTime::now();
+    desk_.EndTalkUnlessHeld();
     if (desk_.TakeWasAsked()) asked_ = now;
     if (now - asked_ > ros::WallDuration(kOpen)) {
       pose_.reset();

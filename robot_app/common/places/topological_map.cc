@@ -10,6 +10,8 @@ namespace coppice::robot {
 namespace {
 
 constexpr double kFarthest = 1e4;  // m
+// A tree looks for ways within a tick, for which a few dozen are usual.
+constexpr std::size_t kMostPlaces = 1000, kMostEdges = 4000;
 constexpr EdgeKind kKinds[] = {EdgeKind::kDrive, EdgeKind::kDoor, EdgeKind::kDock,
                                EdgeKind::kUndock, EdgeKind::kElsewhere};
 
@@ -151,6 +153,10 @@ std::optional<TopologicalMap> TopologicalMap::Load(const std::string& path,
   YamlFields file = YamlFields::Load(path, diagnostics);
   map.site_ = file.Text("site", "").text;
   for (YamlFields& fields : file.Maps("places")) {
+    if (map.places_.size() == kMostPlaces) {
+      fields.Error(fields.where(), "more than " + std::to_string(kMostPlaces) + " places");
+      break;
+    }
     Place place = ReadPlace(fields);
     if (map.Find(place.name) >= 0) {
       fields.Error(fields.where(), "the name \"" + place.name + "\" is already taken");
@@ -161,6 +167,10 @@ std::optional<TopologicalMap> TopologicalMap::Load(const std::string& path,
     file.Error(file.where(), "there are no places");
   }
   for (YamlFields& fields : file.Maps("edges")) {
+    if (map.edges_.size() >= kMostEdges) {
+      fields.Error(fields.where(), "more than " + std::to_string(kMostEdges) + " edges");
+      break;
+    }
     Edge edge;
     for (auto [key, index] : {std::pair{"from", &edge.from}, {"to", &edge.to}}) {
       const LocatedText name = fields.Text(key);

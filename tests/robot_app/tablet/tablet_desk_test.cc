@@ -37,7 +37,7 @@ class TabletDeskTest : public testing::Test {
                                     diagnostics);
     if (!dialogue || !map) throw std::runtime_error(diagnostics.ToString());
     desk_ = std::make_unique<TabletDesk>(std::move(dialogue), *std::move(map), links_,
-                                         [this] { return sample_.At("2026-11-25", 12); });
+                                         [this] { return sample_.At("2026-11-25", 12, minute_); });
   }
   json Call(const json& call) { return json::parse(desk_->Reply(call.dump())); }
   void StandAt(double x, double y) {
@@ -54,6 +54,7 @@ class TabletDeskTest : public testing::Test {
 
   knowledge::SampleDatabase sample_;
   Links links_;
+  int minute_ = 0;
   std::unique_ptr<TabletDesk> desk_;
 };
 
@@ -122,6 +123,16 @@ TEST_F(TabletDeskTest, LeadsNowhereThatIsNotOnTheMap) {
 TEST_F(TabletDeskTest, HearsWhileTheButtonIsPressed) {
   Call({{"do", "talk"}, {"on", true}});
   Call({{"do", "talk"}, {"on", false}});
+  EXPECT_THAT(links_.calls, ElementsAre("talk", "silent"));
+}
+
+TEST_F(TabletDeskTest, WhoClosesThePageWhileHeTalksIsHeardNoMore) {
+  Call({{"do", "talk"}, {"on", true}});
+  desk_->EndTalkUnlessHeld();
+  EXPECT_THAT(links_.calls, ElementsAre("talk"));
+  ++minute_;
+  desk_->EndTalkUnlessHeld();
+  desk_->EndTalkUnlessHeld();
   EXPECT_THAT(links_.calls, ElementsAre("talk", "silent"));
 }
 

@@ -131,6 +131,15 @@ TEST(TopologicalMap, NamesTheLineOfEveryMistake) {
   }
 }
 
+TEST(TopologicalMap, MorePlacesOrEdgesThanATreeCanSearchAreAnError) {
+  std::string text = "places:\n";
+  for (int i = 0; i < 1001; ++i) text += " - {name: p" + std::to_string(i) + ", x: 1, y: 1}\n";
+  EXPECT_THAT(ErrorsOf(text), HasSubstr(":1002:4: error: more than 1000 places"));
+  text = "places: [{name: a, x: 1, y: 1}, {name: b, x: 2, y: 1}]\nedges:\n";
+  for (int i = 0; i < 4001; ++i) text += " - {from: a, to: b}\n";
+  EXPECT_THAT(ErrorsOf(text), HasSubstr("more than 4000 edges"));
+}
+
 TEST(TopologicalMap, AFileThatIsMissingOrEmptyIsAnError) {
   Diagnostics diagnostics;
   EXPECT_FALSE(TopologicalMap::Load("/no/such/file.yaml", diagnostics));
