@@ -11,6 +11,9 @@
 #include <fstream>
 #include <memory>
 #include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 namespace coppice::robot::speech {
 namespace {
@@ -25,28 +28,51 @@ constexpr double kSayOfChoice = 0.5;
 
 constexpr char kSentences[] = "sentences", kReplies[] = "replies";  // searches
 
-// A folder for files that are read once.
+// A folder for files that are read once: where temporary files are, or in memory if there is no
+// room. The library crashes at a model that was written in part.
 class Folder {
  public:
-  Folder() {
-    std::string path = (std::filesystem::temp_directory_path() / "coppice-ear-XXXXXX").string();
-    if (mkdtemp(path.data()) != nullptr) path_ = path;
+  using Files = std::vector<std::pair<std::string, std::string>>;  // name, content
+
+  explicit Folder(const Files& files) {
+    std::error_code error;
+    for (const std::filesystem::path& base :
+         {std::filesystem::temp_directory_path(error), std::filesystem::path("/dev/shm")}) {
+      Remove();
+      is_whole_ = !base.empty() && Fill(base, files);
+      if (is_whole_) return;
+    }
   }
-  ~Folder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
+  ~Folder() { Remove(); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   std::string Path(const std::string& name) const { return path_ + "/" + name; }
+  bool is_whole() const { return is_whole_; }
 
  private:
+  bool Fill(const std::filesystem::path& base, const Files& files) {
+    std::string path = (base / "coppice-ear-XXXXXX").string();
+    if (mkdtemp(path.data()) == nullptr) return false;
+    path_ = path;
+    return std::all_of(files.begin(), files.end(), [this](const auto& file) {
+      std::ofstream stream(Path(file.first), std::ios::binary);
+      stream << file.second;
+      stream.close();
+      return stream.good();
+    });
+  }
+  void Remove() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+    path_.clear();
+  }
+
   std::string path_;
+  bool is_whole_ = false;
 };
 
-void WriteDictionary(const std::string& path, const NgramCounts& counts,
-                     const Pronunciations& dictionary) {
-  std::ofstream file(path);
+std::string DictionaryOf(const NgramCounts& counts, const Pronunciations& dictionary) {
+  std::ostringstream file;
   for (const std::string& word : counts.Words()) {
     if (word[0] == '<') continue;
     int number = 0;
@@ -56,6 +82,7 @@ void WriteDictionary(const std::string& path, const NgramCounts& counts,
       file << " " << spoken << "\n";
     }
   }
+  return file.str();
 }
 
 // Noise and silence have been taken out already.
@@ -152,9 +179,8 @@ void Decoder::Free::operator()(ps_decoder_s* decoder) const { ps_free(decoder); 
 Expected<Decoder> Decoder::Make(const std::string& model_folder, const Pronunciations& dictionary,
                                 const NgramCounts& site, const Expectation& expectation) {
   err_set_logfp(nullptr);
-  const Folder files;
-  std::ofstream(files.Path("site.arpa")) << site.Arpa();
-  WriteDictionary(files.Path("words.dict"), site, dictionary);
+  const Folder files({{"site.arpa", site.Arpa()}, {"words.dict", DictionaryOf(site, dictionary)}});
+  if (!files.is_whole()) return Problem{"there is no room for the words of the site"};
   Decoder made(DecoderOf(model_folder, files, expectation.language_weight));
   if (!made.decoder_ || !SetSentences(made.decoder_.get(), files.Path("site.arpa"),
                                       model_folder + "/en-us.lm.bin", expectation)) {
@@ -164,8 +190,8 @@ Expected<Decoder> Decoder::Make(const std::string& model_folder, const Pronuncia
 }
 
 void Decoder::SetReplies(const NgramCounts& replies) {
-  const Folder files;
-  std::ofstream(files.Path("replies.arpa")) << replies.Arpa();
+  const Folder files({{"replies.arpa", replies.Arpa()}});
+  if (!files.is_whole()) return;
   const Model model = ReadModel(decoder_.get(), files.Path("replies.arpa"));
   if (model != nullptr) ps_set_lm(decoder_.get(), kReplies, model.get());
 }

@@ -1,6 +1,10 @@
 #include "robot_app/speech/ear/recognizer.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
 
 #include "robot_app/knowledge/store/queries.h"
 #include "robot_app/speech/mouth/synthesizer.h"
@@ -71,6 +75,47 @@ TEST_F(RecognizerTest, SilenceIsNothing) {
   const Sound silence{kHearingRate, std::vector<std::int16_t>(16000)};
   EXPECT_TRUE(recognizer_->Recognize(silence).empty());
   EXPECT_TRUE(recognizer_->Recognize({kHearingRate, {}}).empty());
+}
+
+// As on a full disk: what is written ends in the middle.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_DFL);
+  }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(RecognizerTest, WithoutRoomForItsWordsItIsAProblemAndNoCrash) {
+  knowledge::SampleDatabase sample;
+  const auto& files = knowledge::ShippedLanguageFiles();
+  const auto names = knowledge::Names(*sample);
+  const auto& words = In(Language::kEnglish, files.words);
+  for (const rlim_t bytes : {0, 4096, 20'000, 60'000}) {
+    const SmallFiles full(bytes);
+    const auto made = Recognizer::Make(kEnglishModel, {files.intents, words, names});
+    EXPECT_EQ(made.problem(), "there is no room for the words of the site") << bytes;
+  }
+}
+
+TEST_F(RecognizerTest, WhereTemporaryFilesCannotBeItsWordsAreInMemory) {
+  knowledge::SampleDatabase sample;
+  const auto& files = knowledge::ShippedLanguageFiles();
+  const auto names = knowledge::Names(*sample);
+  const auto& words = In(Language::kEnglish, files.words);
+  setenv("TMPDIR", "/nowhere", 1);
+  const auto made = Recognizer::Make(kEnglishModel, {files.intents, words, names});
+  unsetenv("TMPDIR");
+  EXPECT_TRUE(made) << made.problem();
 }
 
 TEST(Recognizer, AModelThatIsNotThereIsAProblem) {
