@@ -1,6 +1,8 @@
 #include "robot_app/speech/ear/listener.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "robot_app/knowledge/store/folded_text.h"
 #include "robot_app/knowledge/store/queries.h"
@@ -143,7 +145,10 @@ bool Listener::Prepare() {
 
 Outcome Listener::Refresh() {
   if (!database_) {
-    auto database = knowledge::Database::OpenOrCopy(settings_.knowledge);
+    std::error_code error;
+    auto database = std::filesystem::exists(settings_.knowledge, error)
+                        ? knowledge::Database::OpenOrCopy(settings_.knowledge)
+                        : knowledge::Database::Open(settings_.knowledge);
     if (!database) return Problem{database.problem()};
     database_.emplace(*std::move(database));
   }
