@@ -11,7 +11,8 @@ using Kind = PageCommand::Kind;
 
 constexpr Duration kBeatPeriod = std::chrono::milliseconds(100);
 constexpr Duration kRequestsPeriod = std::chrono::seconds(1);
-constexpr char kPicture = 1;  // first byte of a binary message
+constexpr std::size_t kLargestPicture = std::size_t{4} << 20;  // no JPEG of a camera is larger
+constexpr char kPicture = 1;                                   // first byte of a binary message
 
 std::string Dump(const json& object) {
   return object.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -142,6 +143,7 @@ void PageDesk::ShowAll(const std::string& key, Shown shown) {
 }
 
 void PageDesk::ShowPicture(std::size_t camera, const void* jpeg, std::size_t size) {
+  if (size > kLargestPicture) return;
   std::string bytes = {kPicture, static_cast<char>(camera)};
   bytes.append(static_cast<const char*>(jpeg), size);
   const auto message = std::make_shared<const std::string>(std::move(bytes));

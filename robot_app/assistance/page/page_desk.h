@@ -47,7 +47,7 @@ class PageDesk {
   void Show(const std::string& key, std::string text);
   /// The same of bytes.
   void ShowBytes(const std::string& key, std::string bytes);
-  /// A picture of a camera, to those who watch it.
+  /// A picture of a camera, of at most 4 MiB, to those who watch it.
   void ShowPicture(std::size_t camera, const void* jpeg, std::size_t size);
 
   /// A beat, and the requests and the wheel if they have changed. Call it 20 times a second.

@@ -176,6 +176,14 @@ TEST_F(Page, PicturesGoToThoseWhoWatchThem) {
   EXPECT_EQ(Last(2, "camera 1"), "");
 }
 
+TEST_F(Page, APictureThatIsNoJpegOfACameraIsNotShown) {
+  Join(1, "Ada");
+  Say(1, R"({"do": "cameras", "names": ["rear"]})");
+  const std::string raw(5 << 20, 'x');  // a driver may send what it measured as it is
+  desk_.ShowPicture(1, raw.data(), raw.size());
+  EXPECT_EQ(Last(1, "camera 1"), "");
+}
+
 TEST_F(Page, NonsenseIsAnsweredAndNothingElseHappens) {
   Join(1, "Ada");
   Say(1, "nonsense");
