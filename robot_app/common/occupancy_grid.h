@@ -51,7 +51,7 @@ struct OccupancyGrid {
   /// Occupied from this value on; below it and not negative: free (map_server's threshold).
   static constexpr std::int8_t kOccupied = 65;
 
-  /// Of the largest map that the robot uses: 250 m by 50 m at 0.05 m. Navigation takes 45 bytes for
+  /// Of the largest map that the robot uses: 250 m by 50 m at 0.05 m. Navigation takes 35 bytes for
   /// each.
   static constexpr std::int64_t kMostCells = 5'000'000;
 
