@@ -19,6 +19,8 @@ void NavigationMonitor::Watch(const std::optional<NavigationWatch>& watch) {
 
 void NavigationMonitor::OnState(NavigationReport state, const Times& now) {
   if (!watch_) return;
+  if (state.phase == NavigationPhase::kDriving) has_driven_ = true;
+  if (state.phase == NavigationPhase::kIdle) has_driven_ = false;
   state_ = std::move(state);
   heard_at_ = now.ros;
   freshness_.OnMessage(now);
@@ -55,7 +57,8 @@ Finding NavigationMonitor::Progress(Time now, bool is_fresh) const {
   if (!no_path && state_->phase != NavigationPhase::kBlocked) return finding;
 
   const Duration bound = no_path ? watch_->no_path : watch_->blocked;
-  const bool failed = no_path && state_->consecutive_failures > 0;
+  // Who is held up before the next attempt has got anywhere has not recovered.
+  const bool failed = state_->consecutive_failures > 0 && (no_path || !has_driven_);
   finding.level = failed || lasted > bound ? HealthLevel::kError : HealthLevel::kWarn;
   finding.value = InSeconds(lasted);
   finding.message = (no_path ? "no path for " : "blocked for ") + SecondsText(lasted);

@@ -40,7 +40,8 @@ class NavigationMonitor : public Monitor {
   ///
   /// NO_PATH is an error at once if a goal has failed for it, else after its bound, and a warning
   /// before; so is BLOCKED after its bound. A goal that has failed remains an error for some time:
-  /// whoever wants to get there will try again soon.
+  /// whoever wants to get there will try again soon; and as long as that attempt is BLOCKED before
+  /// it has got anywhere.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
@@ -49,6 +50,7 @@ class NavigationMonitor : public Monitor {
   Freshness freshness_;
   std::optional<NavigationWatch> watch_;
   std::optional<NavigationReport> state_;
+  bool has_driven_ = false;  // to the goal that it has
   Time heard_at_{};  // state_
 };
 

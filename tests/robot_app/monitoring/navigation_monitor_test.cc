@@ -60,9 +60,20 @@ TEST_F(NavigationMonitorTest, NoPathIsAWarningUntilItLastsOrAGoalFails) {
   EXPECT_EQ(Progress().level, HealthLevel::kError);
 }
 
-TEST_F(NavigationMonitorTest, FailuresDoNotTurnAnObstacleIntoAnError) {
+TEST_F(NavigationMonitorTest, FailuresDoNotTurnAnObstacleOnTheWayIntoAnError) {
+  State(NavigationPhase::kDriving, seconds(1), 2);
   State(NavigationPhase::kBlocked, seconds(1), 2);
   EXPECT_EQ(Progress().level, HealthLevel::kWarn);
+}
+
+// A pose that came late made a goal that had failed look as if it was driven to again.
+TEST_F(NavigationMonitorTest, AFailedGoalIsAFaultWhileItsNextAttemptIsHeldUpAtOnce) {
+  State(NavigationPhase::kDriving, seconds(1));
+  State(NavigationPhase::kIdle, seconds(5), 1);
+  State(NavigationPhase::kBlocked, seconds(1), 1);
+  EXPECT_EQ(Progress().level, HealthLevel::kError);
+  State(NavigationPhase::kDriving, seconds(0), 1);
+  EXPECT_EQ(Progress().level, HealthLevel::kOk);
 }
 
 TEST_F(NavigationMonitorTest, OldNewsIsAnErrorOfTheTopicAndNamesTheNode) {
