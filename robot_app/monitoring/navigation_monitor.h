@@ -51,7 +51,7 @@ class NavigationMonitor : public Monitor {
   std::optional<NavigationWatch> watch_;
   std::optional<NavigationReport> state_;
   bool has_driven_ = false;  // to the goal that it has
-  Time heard_at_{};  // state_
+  Time heard_at_{};          // state_
 };
 
 }  // namespace coppice::robot::monitoring
