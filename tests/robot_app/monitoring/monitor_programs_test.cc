@@ -261,7 +261,9 @@ TEST_F(MonitorProgramsTest, ABigTopicIsJudgedByTheStatisticsOfItsSubscribers) {
   ASSERT_TRUE(graph_.WaitFor([this] {
     const HealthEntry* entry = Find("topic", "/big");
     return entry && entry->value > 10 && entry->value < 30;
-  }));
+  })) << received
+      << " messages came, " << (Find("topic", "/big") ? Find("topic", "/big")->value : -1)
+      << " a second were told";
   EXPECT_EQ(Find("topic", "/big")->level, HealthEntry::OK);
   graph_.node().deleteParam("/enable_statistics");
 }
