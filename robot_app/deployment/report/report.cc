@@ -58,7 +58,7 @@ std::string SeedOf(const Journal& journal) {
   }
   for (const std::string& record : journal.records) {
     const std::string link = EscapeXml(journal.controller + "/" + record);
-    text += "<div><a href='" + link + "'>" + link + "</a></div>\n";
+    text += "<div><a href=\"./" + link + "\">" + link + "</a></div>\n";
   }
   return text;
 }

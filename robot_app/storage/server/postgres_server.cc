@@ -134,14 +134,17 @@ PostgresServer::PostgresServer(ServerConfig config) : config_(std::move(config))
 }
 PostgresServer::~PostgresServer() = default;
 
+// From its first question on a session can be aborted.
 void PostgresServer::Connect() {
   if (session_ && session_->connection.is_open()) return;
   auto session = std::make_unique<Session>(config_);
-  pqxx::work work(session->connection);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    session_ = std::move(session);
+  }
+  pqxx::work work(session_->connection);
   MakeSchema(work);
   work.commit();
-  const std::lock_guard<std::mutex> lock(mutex_);
-  session_ = std::move(session);
 }
 
 void PostgresServer::Disconnect() {

@@ -60,7 +60,9 @@ Shipper::Shipper(Spool& spool, DocumentServer& server, ShipperOptions options)
 Shipper::~Shipper() {
   is_ending_ = true;
   wake_up_.Notify();
-  server_.Abort();
+  do {
+    server_.Abort();  // again: the server may have been asked just now
+  } while (!has_ended_.WaitFor(std::chrono::milliseconds(100)));
   thread_.join();
 }
 
@@ -113,6 +115,7 @@ void Shipper::Run() {
         break;
     }
   }
+  has_ended_.Notify();
 }
 
 }  // namespace coppice::robot::storage

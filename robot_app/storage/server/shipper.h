@@ -61,6 +61,7 @@ class Shipper {
   const ShipperOptions options_;
   Duration pause_;
   WakeUp wake_up_;
+  WakeUp has_ended_;
   std::atomic<bool> is_ending_{false};
   std::atomic<std::int64_t> asked_at_{0};  // of the wall clock [ns]; 0: the server is not asked
   mutable std::mutex mutex_;               // of the state

@@ -236,5 +236,25 @@ TEST_F(ShipperTest, GivesUpWaitingForAnAnswerThatDoesNotCome) {
   EXPECT_EQ(Rows("number").size(), 10u);
 }
 
+// Who makes the tables waits for others that do; a server that hangs looks the same.
+TEST_F(ShipperTest, GivesUpWaitingForAServerThatHangsAtTheFirstQuestion) {
+  ServerConfig config = postgres_->owner();
+  config.database = "robots";
+  pqxx::connection other(ConnectionText(config));
+  pqxx::work lock(other);
+  lock.exec("SELECT pg_advisory_xact_lock(1131376752)");
+  Add(10);
+  options_.patience = std::chrono::milliseconds(50);
+  auto shipper = std::make_unique<Shipper>(*spool_, server_, options_);
+  EXPECT_TRUE(Eventually([&] {
+    shipper->Watch();
+    return !shipper->Look().problem.empty();
+  }));
+  shipper.reset();  // ends, though nobody looks any more whether it waits
+  lock.abort();
+  const Shipper next(*spool_, server_, options_);
+  EXPECT_TRUE(IsEmptySoon());
+}
+
 }  // namespace
 }  // namespace coppice::robot::storage
