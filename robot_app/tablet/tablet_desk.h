@@ -43,7 +43,7 @@ class TabletLinks {
  public:
   virtual ~TabletLinks() = default;
   virtual void Touched() = 0;
-  /// Somebody holds the button to be heard, or lets it go.
+  /// Somebody holds the button to be heard, said again and again while he does, or lets it go.
   virtual void Talk(bool on) = 0;
   /// What the robot answers, as if it had been said. With `guides` it leads to answer.place.
   virtual void Answered(const knowledge::Answer& answer, const std::string& language) = 0;

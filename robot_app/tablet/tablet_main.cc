@@ -44,7 +44,8 @@ const Command& TabletCommand() {
       "with the way from here, people, menus, departures, and to be guided.\n"
       "  subscribes  /map /tf /face/image /speech/answer /visitors/outcome\n"
       "  publishes   /speech/answer /tablet/touched /expression\n"
-      "  calls       /speech/listen (std_srvs/SetBool) while somebody holds the button to talk",
+      "  calls       /speech/listen (std_srvs/SetBool), again and again while somebody holds the\n"
+      "              button to talk",
       {CommandOption::Text("--knowledge", "DB", "what coppice-knowledge has imported").Needed(),
        CommandOption::Text("--site", "FOLDER", "a folder, or sample: fills DB if it is empty"),
        CommandOption::Text("--places", "FILE", "the places and the ways between them").Needed(),
@@ -71,13 +72,15 @@ class RosLinks : public TabletLinks {
     wish.owner = "tablet";
     wish.expression = on ? "LISTENING" : "NEUTRAL";
     expression_.publish(wish);
-    if (std::exchange(is_talking_, on) == on) return;
+    calls_.RunFinished();
+    const bool is_changed = std::exchange(is_talking_, on) != on;
+    if (!is_changed && (!on || is_calling_)) return;
     std_srvs::SetBool listen;
     listen.request.data = on;
-    calls_.RunFinished();
-    calls_.Add([listen]() mutable -> ServiceCaller::Finish {
+    is_calling_ = true;
+    calls_.Add([this, listen]() mutable -> ServiceCaller::Finish {
       CallService("/speech/listen", listen);  // where nobody listens, the face does all the same
-      return [] {};
+      return [this] { is_calling_ = false; };
     });
   }
 
@@ -106,7 +109,7 @@ class RosLinks : public TabletLinks {
 
  private:
   ros::Publisher answers_, touched_, expression_;
-  bool is_talking_ = false;
+  bool is_talking_ = false, is_calling_ = false;
   ServiceCaller calls_;
 };
 

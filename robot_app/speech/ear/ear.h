@@ -26,6 +26,7 @@ enum class Listening : std::uint8_t { kAlways, kPushToTalk };
 struct EarSettings {
   ActivitySettings activity;
   double tail = 0.4;  ///< s after the mouth's last sound until the ear opens: the echo of the room
+  double held = 5;    ///< s for which a button counts as held when nobody says so any more
 };
 
 class Ear {
@@ -46,7 +47,8 @@ class Ear {
 
   /// Whether the mouth speaks; what was heard up to now is dropped.
   void set_speaks(bool speaks, Time now);
-  /// Whether the button is held. When it is released, the utterance has ended.
+  /// Whether the button is held, to be said again and again while it is: who says nothing more may
+  /// have ended, and nobody is heard for ever. When it is released, the utterance has ended.
   std::optional<Utterance> set_pressed(bool pressed, Time now);
 
   bool is_open(Time now) const;
@@ -57,8 +59,8 @@ class Ear {
   EarSettings settings_;
   Listening listening_;
   VoiceActivity activity_;
-  bool speaks_ = false, is_pressed_ = false;
-  std::optional<Time> shut_until_;
+  bool speaks_ = false;
+  std::optional<Time> shut_until_, held_until_;
 };
 
 }  // namespace coppice::robot::speech

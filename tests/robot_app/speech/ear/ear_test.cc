@@ -174,6 +174,22 @@ TEST_F(EarTest, WithPushToTalkItHearsOnlyWhileTheButtonIsHeld) {
   EXPECT_FALSE(ear.is_open(now_));
 }
 
+TEST_F(EarTest, AButtonOfWhichNobodySaysAnyMoreThatItIsHeldCountsAsLetGo) {
+  Ear ear({}, Listening::kPushToTalk);
+  for (int i = 0; i < 20; ++i) {
+    ear.set_pressed(true, now_);
+    now_ += std::chrono::milliseconds(500);
+    EXPECT_TRUE(ear.is_open(now_)) << "the tablet says it all the time";
+  }
+  Hear(ear, Noise(0.2, kQuiet) + Spoken("where is the library", kQuiet));
+  now_ += std::chrono::seconds(5);
+  EXPECT_FALSE(ear.is_open(now_));
+  EXPECT_TRUE(Hear(ear, Spoken("stop", kQuiet) + Noise(2, kQuiet)).empty());
+  EXPECT_FALSE(ear.set_pressed(true, now_));
+  Hear(ear, Noise(0.5, kQuiet));
+  EXPECT_FALSE(ear.set_pressed(false, now_)) << "of what was said before nothing is left";
+}
+
 TEST_F(EarTest, FindsTheUtteranceInARecording) {
   const Ear ear({}, Listening::kAlways);
   EXPECT_TRUE(ear.HearWhole({kHearingRate, Spoken("where is the library", kQuiet)}));
