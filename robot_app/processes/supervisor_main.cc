@@ -16,6 +16,7 @@
 #include <string>
 
 #include "robot_app/processes/config/supervisor_settings.h"
+#include "robot_app/processes/launch/never_wait.h"
 #include "robot_app/processes/launch/survivors.h"
 #include "robot_app/processes/supervisor_program.h"
 
@@ -217,6 +218,7 @@ int Main(const std::vector<std::string>& arguments) {
   stop.sa_handler = [](int) { g_stop = 1; };
   sigaction(SIGTERM, &stop, nullptr);
   sigaction(SIGINT, &stop, nullptr);
+  NeverWaitForReaders();
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // what our children leave behind comes to us
   NodeProbe::SilenceLibrary();
   PosixLauncher launcher(settings.logs, settings.state);

@@ -12,10 +12,13 @@
 #include <systemd/sd-daemon.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <utility>
 
+#include "bt_core/model/utf8.h"
 #include "robot_app/common/any_message.h"
+#include "robot_app/processes/launch/never_wait.h"
 
 namespace coppice::robot::processes {
 namespace {
@@ -24,6 +27,7 @@ constexpr Duration kRound = std::chrono::milliseconds(20);
 constexpr Duration kProbeDeadline = std::chrono::milliseconds(300);
 constexpr Duration kReportPeriod = std::chrono::seconds(1);
 constexpr Duration kTimeForCalls = std::chrono::seconds(20);
+constexpr std::size_t kLongestLine = 1000;  // bytes
 
 Time RosNow() { return TimeFromNanoseconds(static_cast<std::int64_t>(ros::Time::now().toNSec())); }
 
@@ -31,10 +35,14 @@ ros::Time ToRos(Time time) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(ToNanoseconds(time)));
 }
 
+// Whoever asks says how something is called: as one line that a terminal does not obey.
 template <class Response>
 bool Reply(const Expected<std::string>& done, const std::string& request, Response& response) {
   response.message = done ? *done : done.problem();
-  std::cout << request << ": " << (done ? "" : "refused: ") << response.message << std::endl;
+  std::string line = request.substr(0, kLongestLine) + ": " + (done ? "" : "refused: ") +
+                     response.message.substr(0, kLongestLine);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::cout << PlainText(line, kLongestLine) << std::endl;
   return true;
 }
 
@@ -196,6 +204,7 @@ SupervisorProgram::Ending SupervisorProgram::Run(const std::function<bool()>& st
 }
 
 void SupervisorProgram::Round() {
+  GoOnAfterLoss();
   const ros::WallDuration round(std::chrono::duration<double>(kRound).count());
   ros::getGlobalCallbackQueue()->callAvailable(round);
   if (!ros::ok()) {

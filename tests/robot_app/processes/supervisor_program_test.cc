@@ -1,8 +1,10 @@
 // The program coppice-supervisor, with a real master and real processes.
 #include <coppice_msgs/SetConfiguration.h>
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <xmlrpcpp/XmlRpcServer.h>
 #include <xmlrpcpp/XmlRpcServerMethod.h>
@@ -147,6 +149,26 @@ configurations:
   EXPECT_TRUE(Eventually([&] { return PidOfNode("/first") > 0 && PidOfNode("/first") != first; }));
   EXPECT_THAT(Read("supervisor.log"), HasSubstr("gave no sign of life for 1 s"));
   graph_.Kill(supervisor_, SIGTERM);
+}
+
+// A pager that nobody scrolls, a terminal that was stopped, a connection that hangs.
+TEST_F(SupervisorProgramTest, WorksThoughNobodyReadsWhatItSays) {
+  const std::string pipe = folder_ + "/pipe", block(4096, 'x');
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int full = open(pipe.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  while (write(full, block.data(), block.size()) > 0) continue;
+  std::vector<std::string> command = Command();
+  command.insert(command.begin(), {"/bin/sh", "-c", "exec \"$0\" \"$@\" > " + pipe + " 2>&1"});
+  supervisor_ = graph_.Start("supervisor", command);
+  ASSERT_TRUE(
+      Eventually([&] { return static_cast<bool>(std::ifstream(folder_ + "/port") >> port_); }));
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  const int second = PidOf("second");
+  kill(second, SIGKILL);
+  EXPECT_TRUE(
+      Eventually([&] { return PidOfNode("/second") > 0 && PidOfNode("/second") != second; }));
+  graph_.Kill(supervisor_, SIGTERM);
+  close(full);
 }
 
 // Where systemd listens to a service: in a folder of its own, for a socket has 107 characters.
