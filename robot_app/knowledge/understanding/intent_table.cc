@@ -1,6 +1,7 @@
 #include "robot_app/knowledge/understanding/intent_table.h"
 
 #include <algorithm>
+#include <map>
 
 #include "robot_app/common/yaml_fields.h"
 
@@ -18,9 +19,27 @@ constexpr double kStrong = 2, kUsual = 1.3, kWeak = 0.7;
 
 std::vector<std::string> IntentWords() { return {kWords.begin(), kWords.end()}; }
 
+// By their names.
+using Openings = std::map<std::string, std::vector<std::string>>;
+
+ByLanguage<Openings> ReadOpenings(YamlFields& file) {
+  ByLanguage<Openings> openings;
+  YamlFields languages = file.Map("openings");
+  for (const Language language : kLanguages) {
+    for (const auto& [name, node] : languages.Pairs(Code(language))) {
+      for (const LocatedText& text : languages.TextsOf(node)) {
+        In(language, openings)[name.text].push_back(text.text);
+      }
+    }
+  }
+  languages.Finish();
+  return openings;
+}
+
 class Reader {
  public:
-  explicit Reader(YamlFields& fields) : fields_(fields) {}
+  Reader(YamlFields& fields, const ByLanguage<Openings>& openings)
+      : fields_(fields), openings_(openings) {}
 
   std::optional<IntentRow> Read() {
     IntentRow row;
@@ -72,12 +91,25 @@ class Reader {
     AddPhrases(words.Texts("usual"), kUsual, In(language, row.phrases));
     AddPhrases(words.Texts("weak"), kWeak, In(language, row.phrases));
     for (const LocatedText& example : words.Texts("examples")) {
-      In(language, row.examples).push_back(example.text);
+      In(language, row.examples).push_back(ExampleOf(example, In(language, openings_)));
     }
     if (In(language, row.examples).empty()) {
       fields_.Error(fields_.where(), std::string("expected examples in ") + Code(language));
     }
     words.Finish();
+  }
+
+  // "(ask) where {place} is".
+  Example ExampleOf(const LocatedText& example, const Openings& openings) const {
+    const std::size_t close = example.text.find(')');
+    if (example.text.rfind('(', 0) != 0 || close == std::string::npos) return {{}, example.text};
+    const std::string name = example.text.substr(1, close - 1);
+    const auto found = openings.find(name);
+    if (found != openings.end()) return {found->second, example.text.substr(close + 1)};
+    std::vector<std::string> names;
+    for (const auto& [known, texts] : openings) names.push_back(known);
+    fields_.Error(example.where, "unknown opening \"" + name + "\"", DidYouMean(name, names));
+    return {{}, example.text};
   }
 
   static void AddPhrases(const std::vector<LocatedText>& texts, double weight,
@@ -93,6 +125,7 @@ class Reader {
   }
 
   YamlFields& fields_;
+  const ByLanguage<Openings>& openings_;
 };
 
 }  // namespace
@@ -113,8 +146,9 @@ bool IntentRow::Takes(Kind kind) const {
 IntentTable LoadIntentTable(const std::string& path, Diagnostics& diagnostics) {
   IntentTable table;
   YamlFields file = YamlFields::Load(path, diagnostics);
+  const ByLanguage<Openings> openings = ReadOpenings(file);
   for (YamlFields& fields : file.Maps("intents")) {
-    std::optional<IntentRow> row = Reader(fields).Read();
+    std::optional<IntentRow> row = Reader(fields, openings).Read();
     if (!row) continue;
     const bool is_second = std::any_of(table.begin(), table.end(), [&row](const IntentRow& other) {
       return other.intent == row->intent;

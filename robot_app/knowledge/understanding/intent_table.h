@@ -1,18 +1,25 @@
 // The one table of what people can want of the robot: intents.yaml. Speech and touch lead to the
 // same rows, so whatever can be said can be pressed.
 //
+//   openings:
+//     en: {ask: [can you tell me, do you know]}
+//   intents:
 //   - intent: departures
 //     takes: [line, stop]                    # slots that may be filled
 //     bare: false                            # a slot alone does not mean it
 //     touch: [departures, "{line}"]          # the buttons that lead here; {slot} is a choice
 //     says:
-//       en: {strong: [next bus, departures], weak: [bus], examples: ["when does {line} leave"]}
+//       en:
+//         strong: [next bus, departures]
+//         weak: [bus]
+//         examples: ["when does {line} leave", "(ask) when {line} leaves", "{day}'s departures"]
 //       de: ...
 //
 // Of the slots in `needs: [place, person]` one must be filled. A strong phrase alone
 // says what is wanted, one of the `usual` ones too unless something else is said, a weak one only
-// beside a slot. Examples are for people, for the
-// grammar of the speech recognizer and for the test that understands each of them.
+// beside a slot. Examples are for people, for the grammar of the speech recognizer and for the test
+// that understands each of them; in front of one that begins with "(ask)" each of these openings
+// may stand, or none.
 #ifndef COPPICE_ROBOT_APP_KNOWLEDGE_UNDERSTANDING_INTENT_TABLE_H_
 #define COPPICE_ROBOT_APP_KNOWLEDGE_UNDERSTANDING_INTENT_TABLE_H_
 
@@ -60,6 +67,12 @@ struct Phrase {
   double weight = 1;
 };
 
+/// What somebody may say: "take me to {place}".
+struct Example {
+  std::vector<std::string> openings;  ///< that may stand in front: "could you"
+  std::string text;
+};
+
 struct IntentRow {
   Intent intent = Intent::kFindPlace;
   std::vector<Kind> needs;         ///< one of them must be there; empty: none
@@ -67,7 +80,7 @@ struct IntentRow {
   bool is_bare = false;            ///< a slot alone means this
   std::vector<std::string> touch;  ///< never empty
   ByLanguage<std::vector<Phrase>> phrases;
-  ByLanguage<std::vector<std::string>> examples;  ///< never empty
+  ByLanguage<std::vector<Example>> examples;  ///< never empty
 
   bool Takes(Kind kind) const;
 };

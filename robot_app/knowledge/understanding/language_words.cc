@@ -34,6 +34,8 @@ LanguageWords LoadLanguageWords(const std::string& folder, Language language,
       words.contractions[Folded(contraction.text)] = Folded(text.text);
     }
   }
+  for (const LocatedText& text : file.Texts("greetings")) words.greetings.push_back(text.text);
+  for (const LocatedText& text : file.Texts("courtesies")) words.courtesies.push_back(text.text);
   for (const LocatedText& pattern : file.Texts("lines")) {
     if (pattern.text.find("{}") == std::string::npos) {
       file.Error(pattern.where, "expected {} where the name of the line stands");

@@ -20,6 +20,8 @@ struct LanguageWords {
   std::set<std::string> titles;                     ///< before a family name
   std::map<std::string, std::string> numbers;       ///< "four" -> "4", 0 to 12
   std::map<std::string, std::string> contractions;  ///< "whats" -> "what is"
+  std::vector<std::string> greetings;               ///< before any sentence: "excuse me"
+  std::vector<std::string> courtesies;              ///< behind any sentence: "please"
   std::vector<std::string> line_patterns;           ///< "line {}": how a line of traffic is called
   std::map<std::string, std::size_t> ordinals;      ///< "first" -> 0
   std::vector<Name> days;                           ///< of Kind::kDay

@@ -37,6 +37,12 @@ std::vector<Kind> KindsOf(const std::string& example) {
   return kinds;
 }
 
+// Whether a sentence begins with these words and goes on.
+bool BeginsWith(const Sentence& words, const Sentence& beginning) {
+  return beginning.size() < words.size() &&
+         std::equal(beginning.begin(), beginning.end(), words.begin());
+}
+
 }  // namespace
 
 CompleteRequest::CompleteRequest(const SpokenLanguage& spoken)
@@ -44,8 +50,18 @@ CompleteRequest::CompleteRequest(const SpokenLanguage& spoken)
       fillers_(spoken.words.fillers),
       language_(spoken.language),
       understander_(spoken.intents, spoken.words, spoken.names, spoken.language) {
+  for (const std::string& text : spoken.words.greetings) {
+    openings_.insert(knowledge::SplitWords(text));
+  }
+  for (const knowledge::IntentRow& row : table_) {
+    for (const knowledge::Example& example : In(language_, row.examples)) {
+      for (const std::string& text : example.openings) {
+        openings_.insert(knowledge::SplitWords(text));
+      }
+    }
+  }
   ForEachSentence(spoken, [this](const Sentence& sentence, double) {
-    AddBeginnings(sentence, sentences_);
+    AddBeginnings(WithoutOpenings(sentence), sentences_);
     ends_.insert(EndOf(sentence));
   });
   for (const knowledge::Name& name : spoken.names) {
@@ -74,11 +90,24 @@ bool CompleteRequest::IsSaid(const std::vector<knowledge::Alternative>& alternat
          !GoesOn(knowledge::SplitWords(text));
 }
 
+// The longest one first: "please tell me", not "please".
+Sentence CompleteRequest::WithoutOpenings(Sentence words) const {
+  for (bool is_opened = true; is_opened;) {
+    std::size_t longest = 0;
+    for (const Sentence& opening : openings_) {
+      if (BeginsWith(words, opening)) longest = std::max(longest, opening.size());
+    }
+    words.erase(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(longest));
+    is_opened = longest > 0;
+  }
+  return words;
+}
+
 // "The lecture hall" may be followed by "A"; nothing follows "the dining hall", although there are
 // halls with letters.
 bool CompleteRequest::GoesOn(const Sentence& words) const {
   if (ends_.count(EndOf(words)) == 0) return true;
-  if (sentences_.count(Joined(words)) > 0) return true;
+  if (sentences_.count(Joined(WithoutOpenings(words))) > 0) return true;
   for (auto begin = words.begin(); begin != words.end(); ++begin) {
     const std::string end = Joined({begin, words.end()});
     if (names_that_go_on_.count(end) > 0) return true;
@@ -91,8 +120,8 @@ bool CompleteRequest::GoesOn(const Sentence& words) const {
 bool CompleteRequest::TakesMore(const knowledge::Request& request) const {
   for (const knowledge::IntentRow& row : table_) {
     if (row.intent != request.intent) continue;
-    for (const std::string& example : In(language_, row.examples)) {
-      const std::vector<Kind> kinds = KindsOf(example);
+    for (const knowledge::Example& example : In(language_, row.examples)) {
+      const std::vector<Kind> kinds = KindsOf(example.text);
       const bool has_all = std::all_of(
           request.slots.begin(), request.slots.end(),
           [&](const Slot& slot) { return std::count(kinds.begin(), kinds.end(), slot.kind) > 0; });

@@ -31,6 +31,7 @@ class CompleteRequest {
 
  private:
   std::string EndOf(const Sentence& words) const;
+  Sentence WithoutOpenings(Sentence words) const;
   bool GoesOn(const Sentence& words) const;
   bool TakesMore(const knowledge::Request& request) const;
 
@@ -38,7 +39,8 @@ class CompleteRequest {
   const std::set<std::string>& fillers_;
   knowledge::Language language_;
   knowledge::Understander understander_;
-  std::unordered_set<std::string> sentences_;  // beginnings of them
+  std::set<Sentence> openings_;                // "can you tell me", "excuse me"
+  std::unordered_set<std::string> sentences_;  // beginnings of them, without openings
   std::unordered_set<std::string> ends_;       // their last words
   std::unordered_set<std::string> names_, names_that_go_on_;
 };

@@ -35,11 +35,59 @@ void NgramCounts::Add(const std::vector<std::string>& sentence, double weight) {
   std::vector<std::string> words = {kBegin};
   words.insert(words.end(), sentence.begin(), sentence.end());
   words.push_back(kEnd);
+  AddNgrams(words, weight);
+}
+
+// All that end with the second or a later word.
+void NgramCounts::AddNgrams(const std::vector<std::string>& words, double weight) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     for (std::size_t length = 0; length < kOrder && length <= i; ++length) {
       const History history(words.begin() + static_cast<long>(i - length),
                             words.begin() + static_cast<long>(i));
       counts_[history][words[i]] += weight;
+    }
+  }
+}
+
+NgramCounts::Followers NgramCounts::FollowersOf(const History& history) const {
+  const auto found = counts_.find(history);
+  return found == counts_.end() ? Followers() : found->second;
+}
+
+// A trigram knows two words: behind a greeting the first two of a sentence are new to it.
+void NgramCounts::AddBefore(const std::vector<std::vector<std::string>>& greetings, double share) {
+  const Followers firsts = FollowersOf({kBegin});
+  std::map<std::string, Followers> seconds;
+  for (const auto& [first, weight] : firsts) seconds[first] = FollowersOf({kBegin, first});
+  for (const std::vector<std::string>& greeting : greetings) {
+    std::vector<std::string> words = {kBegin};
+    words.insert(words.end(), greeting.begin(), greeting.end());
+    const double each = share / static_cast<double>(greetings.size());
+    AddNgrams(words, each * Sum(firsts));
+    const std::string &before = words[words.size() - 2], last = words.back();
+    for (const auto& [first, weight] : firsts) {
+      for (const History& history : {History{}, History{last}, History{before, last}}) {
+        counts_[history][first] += each * weight;
+      }
+      Followers& after = counts_[{last, first}];
+      for (const auto& [second, times] : seconds[first]) after[second] += each * times;
+    }
+  }
+}
+
+void NgramCounts::AddBehind(const std::vector<std::vector<std::string>>& courtesies, double share) {
+  std::vector<std::pair<History, double>> ends;  // what may stand last, and how often it does
+  for (const auto& [history, followers] : counts_) {
+    const auto end = followers.find(kEnd);
+    if (end != followers.end()) ends.emplace_back(history, end->second);
+  }
+  for (std::vector<std::string> words : courtesies) {
+    const double each = share / static_cast<double>(courtesies.size());
+    words.emplace_back(kEnd);
+    for (const auto& [history, weight] : ends) {
+      counts_[history][words[0]] += each * weight;
+      if (history.empty()) AddNgrams(words, each * weight);
+      if (history.size() == 1) counts_[{history[0], words[0]}][words[1]] += each * weight;
     }
   }
 }

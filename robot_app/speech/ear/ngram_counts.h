@@ -19,6 +19,10 @@ namespace coppice::robot::speech {
 class NgramCounts {
  public:
   void Add(const std::vector<std::string>& sentence, double weight);
+  /// These before and behind any of the sentences that were added until now, as if so many of them
+  /// were said with one more: "excuse me", "please". None of them is empty.
+  void AddBefore(const std::vector<std::vector<std::string>>& greetings, double share);
+  void AddBehind(const std::vector<std::vector<std::string>>& courtesies, double share);
   /// A word that may come anywhere; all of these together have kAnywhere of the probability.
   void AddAnywhere(const std::string& word, double weight) { anywhere_[word] += weight; }
 
@@ -30,7 +34,11 @@ class NgramCounts {
 
  private:
   using History = std::vector<std::string>;  // the words before, the last one last
-  std::map<History, std::map<std::string, double>> counts_;
+  using Followers = std::map<std::string, double>;
+  void AddNgrams(const std::vector<std::string>& words, double weight);
+  Followers FollowersOf(const History& history) const;
+
+  std::map<History, Followers> counts_;
   std::map<std::string, double> anywhere_;
 };
 

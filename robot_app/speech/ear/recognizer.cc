@@ -12,11 +12,12 @@
 namespace coppice::robot::speech {
 namespace {
 
-constexpr int kLoudEnough = 30;        // of 32767; less is silence
-constexpr double kLeastReply = 0.6;    // else it was no reply
-constexpr double kUnasked = 0.2;       // of the weight of replies, while nothing is asked
-constexpr double kCommonShare = 0.6;   // of what may come anywhere; the rest are fillers
-constexpr double kLeastChance = 1e-3;  // of a text that is worth being understood
+constexpr int kLoudEnough = 30;                  // of 32767; less is silence
+constexpr double kLeastReply = 0.6;              // else it was no reply
+constexpr double kUnasked = 0.2;                 // of the weight of replies, while nothing is asked
+constexpr double kGreeted = 0.1, kPolite = 0.1;  // said with "excuse me", with "please"
+constexpr double kCommonShare = 0.6;             // of what may come anywhere; the rest are fillers
+constexpr double kLeastChance = 1e-3;            // of a text that is worth being understood
 
 // One knows little but what people ask here, the other what they say anywhere, too: what only one
 // of them has understood is less sure.
@@ -40,6 +41,24 @@ Outcome AddCommonWords(const std::string& folder, const SpokenLanguage& spoken, 
     counts.AddAnywhere(filler, (1 - kCommonShare) / fillers);
   }
   return {};
+}
+
+std::vector<Sentence> SentencesOf(const std::vector<std::string>& texts) {
+  std::vector<Sentence> sentences;
+  for (const std::string& text : texts) sentences.push_back(knowledge::SplitWords(text));
+  return sentences;
+}
+
+NgramCounts CountsOf(const SpokenLanguage& spoken) {
+  NgramCounts counts;
+  ForEachSentence(
+      spoken, [&counts](const Sentence& sentence, double weight) { counts.Add(sentence, weight); });
+  counts.AddBefore(SentencesOf(spoken.words.greetings), kGreeted);
+  counts.AddBehind(SentencesOf(spoken.words.courtesies), kPolite);
+  ForEachReply(spoken, [&counts](const Sentence& sentence, double weight) {
+    counts.Add(sentence, kUnasked * weight);
+  });
+  return counts;
 }
 
 // What both have heard, each with half the say.
@@ -74,21 +93,21 @@ Expected<std::unique_ptr<Recognizer>> Recognizer::Make(const std::string& model_
   const auto dictionary = Pronunciations::Load(model_folder + "/cmudict-en-us.dict");
   if (!dictionary) return Problem{dictionary.problem()};
   std::unique_ptr<Recognizer> made(new Recognizer);
+  NgramCounts common;
+  common.lower = kStrict.surprise;
+  common.anywhere = kStrict.anything;
+  const Outcome added =
+      AddCommonWords(model_folder, spoken, kStrict.common_words, *dictionary, common);
+  if (!added) return Problem{added.problem()};
+  made->SetReplies(common, spoken);
+  const NgramCounts sentences = CountsOf(spoken);
   for (const Expectation& expectation : {kStrict, kOpen}) {
-    NgramCounts counts;
+    NgramCounts counts = sentences;
     counts.lower = expectation.surprise;
     counts.anywhere = expectation.anything;
-    const Outcome added =
+    const Outcome more =
         AddCommonWords(model_folder, spoken, expectation.common_words, *dictionary, counts);
-    if (!added) return Problem{added.problem()};
-    if (made->decoders_.empty()) made->SetReplies(counts, spoken);
-    const auto add = [&counts](double share) {
-      return [&counts, share](const Sentence& sentence, double weight) {
-        counts.Add(sentence, share * weight);
-      };
-    };
-    ForEachSentence(spoken, add(1));
-    ForEachReply(spoken, add(kUnasked));
+    if (!more) return Problem{more.problem()};
     auto decoder = Decoder::Make(model_folder, *dictionary, counts, expectation);
     if (!decoder) return Problem{decoder.problem()};
     made->decoders_.push_back(*std::move(decoder));

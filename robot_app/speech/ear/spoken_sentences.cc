@@ -28,8 +28,8 @@ std::vector<Sentence> SentencesOf(const IntentRow& row, knowledge::Language lang
     Sentence& sentence = sentences.emplace_back();
     for (const auto& word : phrase.words) sentence.push_back(word.text);
   }
-  for (const std::string& example : In(language, row.examples)) {
-    sentences.push_back(knowledge::SplitWords(example));
+  for (const knowledge::Example& example : In(language, row.examples)) {
+    sentences.push_back(knowledge::SplitWords(example.text));
   }
   return sentences;
 }
@@ -44,6 +44,25 @@ void AddWithArticle(const Sentence& words, std::vector<Sentence>& sentences) {
   sentences.push_back(bare);
   bare.emplace_back("one");
   sentences.push_back(bare);
+}
+
+Sentence Joined(Sentence words, const Sentence& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::vector<Sentence> SentencesOf(const std::vector<std::string>& texts) {
+  std::vector<Sentence> sentences;
+  for (const std::string& text : texts) sentences.push_back(knowledge::SplitWords(text));
+  return sentences;
+}
+
+// Of so many the one for the i-th sentence: in turn, so that all are used with little written.
+// Shifted from round to round, as every other sentence has an article.
+std::size_t InTurn(std::size_t i, std::size_t count) { return (i + i / count) % count; }
+
+bool BeginsWithVowel(const Sentence& words) {
+  return std::string("aeiou").find(words.front().front()) != std::string::npos;
 }
 
 void Spread(const std::vector<Sentence>& sentences, double weight,
@@ -67,7 +86,7 @@ class Writer {
 
   void Write() {
     for (const IntentRow& row : spoken_.intents) {
-      for (const std::string& example : In(spoken_.language, row.examples)) WriteExample(example);
+      for (const auto& example : In(spoken_.language, row.examples)) WriteExample(example);
       Hand(kExamples);
       for (const auto& phrase : In(spoken_.language, row.phrases)) WritePhrase(row, phrase);
       Hand(kPhrases);
@@ -78,7 +97,15 @@ class Writer {
 
  private:
   static constexpr double kExamples = 0.7, kPhrases = 0.2, kBare = 0.15;
+  static constexpr double kOpened = 0.6;  // where there are openings
   static constexpr double kContracted = 0.3;
+
+  struct Frame {
+    Sentence before;
+    std::string ending;  // of the name: "s"
+    Sentence after;
+    std::size_t every = 1, first = 0;  // only each of so many names, from this one on
+  };
 
   // Hands on what was collected, with weights that add up to `share`.
   void Hand(double share) {
@@ -130,23 +157,31 @@ class Writer {
   }
 
   // "take me to" + "library", "the library" + ...
-  void WriteNames(Kind kind, const Sentence& before, const Sentence& after, double weight) {
-    // Of categories the sentences say how they are called: "the nearest", "all", "a".
-    const bool may_be_definite = kind == Kind::kPlace || kind == Kind::kStop;
+  void WriteNames(Kind kind, const Frame& frame, double weight) {
     const double each = weight / static_cast<double>(names_[kind].size());
+    std::size_t i = 0;
+    const auto collect = [&](Sentence sentence) {
+      if (i++ % frame.every == frame.first) collected_.emplace_back(std::move(sentence), each);
+    };
     for (const Sentence& name : names_[kind]) {
-      Sentence sentence = before;
-      sentence.insert(sentence.end(), name.begin(), name.end());
-      sentence.insert(sentence.end(), after.begin(), after.end());
-      collected_.emplace_back(sentence, each);
-      if (!may_be_definite) continue;
-      sentence.insert(sentence.begin() + static_cast<std::ptrdiff_t>(before.size()), "the");
-      collected_.emplace_back(std::move(sentence), each);
+      Sentence sentence = Joined(frame.before, name);
+      sentence.back() += frame.ending;
+      sentence = Joined(std::move(sentence), frame.after);
+      const std::size_t begin = frame.before.size();
+      if (begin > 0 && sentence[begin - 1] == "a" && BeginsWithVowel(name)) {
+        sentence[begin - 1] = "an";
+      }
+      collect(sentence);
+      if (!MayBeDefinite(kind)) continue;
+      sentence.insert(sentence.begin() + static_cast<std::ptrdiff_t>(begin), "the");
+      collect(std::move(sentence));
     }
   }
+  // Of categories the sentences say how they are called: "the nearest", "all", "a".
+  static bool MayBeDefinite(Kind kind) { return kind == Kind::kPlace || kind == Kind::kStop; }
   void WriteNames(const IntentRow& row, const Sentence& before, double weight) {
-    for (const Kind kind : row.needs) WriteNames(kind, before, {}, weight);
-    for (const Kind kind : row.takes) WriteNames(kind, before, {}, weight);
+    for (const Kind kind : row.needs) WriteNames(kind, {before, {}, {}}, weight);
+    for (const Kind kind : row.takes) WriteNames(kind, {before, {}, {}}, weight);
   }
 
   // A phrase that leads somewhere needs a word in between: "take me" + "to" + "the library".
@@ -164,16 +199,38 @@ class Writer {
   std::string WordBeforeNames(const IntentRow& row) const {
     std::map<std::string, std::size_t> count;
     const auto& examples = In(spoken_.language, row.examples);
-    for (const std::string& example : examples) {
-      const Sentence words = knowledge::Words(example.substr(0, example.find('{')));
+    for (const knowledge::Example& example : examples) {
+      const std::string& text = example.text;
+      const Sentence words = knowledge::Words(text.substr(0, text.find('{')));
       if (words.empty() || spoken_.words.fillers.count(words.back()) == 0) continue;
       if (2 * ++count[words.back()] > examples.size()) return words.back();
     }
     return {};
   }
 
-  // Of a second slot, such as the day, every sentence takes another name in turn.
-  void WriteExample(const std::string& example) {
+  // With and without its openings.
+  void WriteExample(const knowledge::Example& example) {
+    const std::size_t first = collected_.size();
+    WriteText(example.text);
+    const std::vector<Sentence> openings = SentencesOf(example.openings);
+    const std::size_t count = collected_.size() - first;
+    if (openings.empty() || count == 0) return;
+    double sum = 0;
+    for (std::size_t i = first; i < first + count; ++i) {
+      sum += collected_[i].second;
+      collected_[i].second *= 1 - kOpened;
+    }
+    const std::size_t most = std::max(count, openings.size());
+    for (std::size_t i = 0; i < most; ++i) {
+      collected_.emplace_back(
+          Joined(openings[InTurn(i, openings.size())], collected_[first + i % count].first),
+          kOpened * sum / static_cast<double>(most));
+    }
+  }
+
+  // Of a second slot, such as the day, every sentence takes another name in turn if two words are
+  // between: a trigram knows no more. Else with all of them, but only "the library", not "library".
+  void WriteText(const std::string& example) {
     const std::size_t open = example.find('{');
     const std::size_t close = example.find('}', open);
     const Sentence before = knowledge::SplitWords(example.substr(0, open));
@@ -183,21 +240,26 @@ class Writer {
     }
     const auto kind = knowledge::KindOf(example.substr(open + 1, close - open - 1));
     if (!kind) return;
-    const std::string after = example.substr(close + 1);
+    std::string after = example.substr(close + 1);
+    const bool has_ending = after.rfind("'s", 0) == 0;
+    const std::string ending = has_ending ? "s" : "";
+    if (has_ending) after.erase(0, 2);
     const std::size_t second = after.find('{');
-    if (second == std::string::npos)
-      return WriteNames(*kind, before, knowledge::SplitWords(after), 1);
+    if (second == std::string::npos) {
+      return WriteNames(*kind, {before, ending, knowledge::SplitWords(after)}, 1);
+    }
     const std::size_t end = after.find('}', second);
     const auto other = knowledge::KindOf(after.substr(second + 1, end - second - 1));
     if (!other) return;
     const std::set<Sentence>& names = names_[*other];
+    const Sentence between = knowledge::SplitWords(after.substr(0, second));
+    const std::size_t every = between.size() > 1 ? names.size() : MayBeDefinite(*kind) ? 2 : 1;
+    std::size_t i = 0;
     for (const Sentence& name : names) {
-      Sentence behind = knowledge::SplitWords(after.substr(0, second));
-      behind.insert(behind.end(), name.begin(), name.end());
-      for (std::string& word : knowledge::SplitWords(after.substr(end + 1))) {
-        behind.push_back(std::move(word));
-      }
-      WriteNames(*kind, before, behind, 1.0 / static_cast<double>(names.size()));
+      const Sentence behind =
+          Joined(Joined(between, name), knowledge::SplitWords(after.substr(end + 1)));
+      WriteNames(*kind, {before, ending, behind, every, every == 2 ? 1 : i++ % every},
+                 1.0 / static_cast<double>(names.size()));
     }
   }
 

@@ -36,7 +36,7 @@ std::string LineOf(const IntentRow& row, Language language) {
   add(" (may have:", row.takes);
   const auto& examples = In(language, row.examples);
   for (std::size_t i = 0; i < examples.size() && i < kMostExamples; ++i) {
-    line += (i == 0 ? ": " : "; ") + examples[i];
+    line += (i == 0 ? ": " : "; ") + examples[i].text;
   }
   return line + "\n";
 }

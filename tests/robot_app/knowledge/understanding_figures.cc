@@ -6,6 +6,7 @@
 
 #include "bt_core/base/read_file.h"
 #include "robot_app/knowledge/import/csv_table.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot::knowledge {
 namespace {
@@ -46,6 +47,10 @@ std::vector<SpokenExample> LoadExamples(const std::string& path) {
   }
   if (diagnostics.has_errors()) throw std::runtime_error(diagnostics.ToString());
   return examples;
+}
+
+std::string UtterancesFile(Language language) {
+  return SourceFolder() + "/tests/robot_app/knowledge/utterances." + Code(language) + ".csv";
 }
 
 Hearing HearingOf(const Understanding& heard, const SpokenExample& example) {

@@ -17,6 +17,7 @@ struct SpokenExample {
   bool is_held_out = false;
 };
 std::vector<SpokenExample> LoadExamples(const std::string& path);
+std::string UtterancesFile(Language language);
 
 /// What became of an example.
 enum class Hearing {

@@ -39,7 +39,10 @@ const Command kBench{
     "how well the robot hears what people ask, and how fast",
     {"", 0, 0},
     "All of it takes some seven minutes.",
-    {CommandOption::Whole("--every", "N", 1, 1000, "only each Nth utterance"),
+    {CommandOption::Text("--utterances", "FILE",
+                         "others: lines of \"text,intent,slots,held_out\" as in "
+                         "tests/robot_app/knowledge/utterances.en.csv"),
+     CommandOption::Whole("--every", "N", 1, 1000, "only each Nth utterance"),
      CommandOption::Flag("--tuned", "speak none that are held out"),
      CommandOption::Flag("--misses", "also list what was not heard right; speak none held out"),
      CommandOption::Flag("--pauses",
@@ -178,6 +181,7 @@ bool Print(const char* what, double snr, const Figures& f) {
 }
 
 struct Wanted {
+  std::string utterances;
   int every = 1;
   bool tuned = false, misses = false, pauses = false, patient = false, at_once = false,
        on_free_cores = false;
@@ -338,8 +342,7 @@ class Bench {
   knowledge::SampleDatabase sample_;
   const WallTime now_ = sample_.At("2026-11-25", 12);
   std::unique_ptr<knowledge::Dialogue> dialogue_;
-  const std::vector<SpokenExample> examples_ =
-      knowledge::LoadExamples(SourceFolder() + "/tests/robot_app/knowledge/utterances.en.csv");
+  const std::vector<SpokenExample> examples_ = knowledge::LoadExamples(wanted_.utterances);
   const Synthesizer voices_;
   std::unique_ptr<Recognizer> recognizer_;
   std::unique_ptr<CompleteRequest> complete_;
@@ -350,9 +353,11 @@ int Main(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(kBench, arguments);
   if (options.exit) return *options.exit;
   const bool misses = options.Has("--misses");
-  Bench bench({static_cast<int>(options.Whole("--every", 1)), misses || options.Has("--tuned"),
-               misses, options.Has("--pauses"), options.Has("--patient"), options.Has("--at-once"),
-               options.Has("--free-cores")});
+  Bench bench(
+      {options.Get("--utterances", knowledge::UtterancesFile(knowledge::Language::kEnglish)),
+       static_cast<int>(options.Whole("--every", 1)), misses || options.Has("--tuned"), misses,
+       options.Has("--pauses"), options.Has("--patient"), options.Has("--at-once"),
+       options.Has("--free-cores")});
   bool is_good = bench.Measure(20);
   is_good &= bench.Measure(10);
   return is_good ? 0 : 1;

@@ -55,5 +55,13 @@ TEST(IntentTable, UnknownNamesAreErrorsWithTheNearestRightOne) {
   EXPECT_THAT(problems, HasSubstr("unknown slot \"persn\" (did you mean \"person\"?)"));
 }
 
+TEST(IntentTable, AnExampleTakesOpeningsByTheirName) {
+  const std::string problems = ProblemsOf(
+      "openings: {en: {ask: [do you know]}}\n"
+      "intents: [{intent: help, touch: [help],\n"
+      "           says: {en: {examples: [(aks) where]}, de: {examples: [b]}}}]\n");
+  EXPECT_THAT(problems, HasSubstr("unknown opening \"aks\" (did you mean \"ask\"?)"));
+}
+
 }  // namespace
 }  // namespace coppice::robot::knowledge

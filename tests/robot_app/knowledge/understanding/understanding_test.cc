@@ -73,24 +73,49 @@ TEST_F(UnderstandingTest, NoBytesMakeItFail) {
   }
 }
 
-// Every example of the table, with the first name of its slots, means its intent.
-TEST_F(UnderstandingTest, EveryExampleOfTheTableIsUnderstood) {
-  const std::map<std::string, ByLanguage<std::string>> fillings = {
+std::string WithNames(std::string text, Language language) {
+  static const std::map<std::string, ByLanguage<std::string>> kNames = {
       {"{place}", {"room 103", "Raum 103"}},     {"{category}", {"printer", "Drucker"}},
       {"{person}", {"Li Wang", "Li Wang"}},      {"{day}", {"tomorrow", "morgen"}},
       {"{diet}", {"vegetarian", "vegetarisch"}}, {"{line}", {"line 4", "Linie 4"}},
       {"{stop}", {"Flughafen", "Flughafen"}}};
+  for (const auto& [slot, words] : kNames) {
+    const std::size_t at = text.find(slot);
+    if (at != std::string::npos) text.replace(at, slot.size(), In(language, words));
+  }
+  return text;
+}
+
+// With names for its slots, and wholly.
+TEST_F(UnderstandingTest, EveryExampleOfTheTableIsUnderstoodWithEveryOpening) {
   for (const IntentRow& row : ShippedLanguageFiles().intents) {
     for (const Language language : kLanguages) {
-      for (std::string text : In(language, row.examples)) {
-        for (const auto& [slot, words] : fillings) {
-          const std::size_t at = text.find(slot);
-          if (at != std::string::npos) text.replace(at, slot.size(), In(language, words));
+      for (const Example& example : In(language, row.examples)) {
+        std::vector<std::string> openings = example.openings;
+        openings.emplace_back();
+        for (const std::string& opening : openings) {
+          const std::string text = opening + " " + WithNames(example.text, language);
+          const Understanding heard = Of(language).Understand(text);
+          EXPECT_EQ(heard.verdict, Verdict::kUnderstood) << text;
+          EXPECT_STREQ(Word(heard.request.intent), Word(row.intent)) << text;
+          EXPECT_EQ(heard.unknown, "") << text;  // else it would be asked back
         }
-        const Understanding heard = Of(language).Understand(text);
-        EXPECT_EQ(heard.verdict, Verdict::kUnderstood) << text;
-        EXPECT_STREQ(Word(heard.request.intent), Word(row.intent)) << text;
       }
+    }
+  }
+}
+
+TEST_F(UnderstandingTest, CourtesiesChangeNothing) {
+  for (const Language language : kLanguages) {
+    const LanguageWords& words = In(language, ShippedLanguageFiles().words);
+    const std::string asked =
+        language == Language::kEnglish ? "where is room 103" : "wo ist Raum 103";
+    std::vector<std::string> texts;
+    for (const std::string& greeting : words.greetings) texts.push_back(greeting + " " + asked);
+    for (const std::string& courtesy : words.courtesies) texts.push_back(asked + " " + courtesy);
+    for (const std::string& text : texts) {
+      EXPECT_EQ(Heard(text, language), "find_place place=office_103") << text;
+      EXPECT_EQ(Of(language).Understand(text).unknown, "") << text;
     }
   }
 }
@@ -99,9 +124,7 @@ class Figures : public UnderstandingTest, public testing::WithParamInterface<Lan
  protected:
   HearingCounts Count(bool only_held_out) const {
     HearingCounts counts;
-    for (const SpokenExample& example :
-         LoadExamples(SourceFolder() + "/tests/robot_app/knowledge/utterances." + Code(GetParam()) +
-                      ".csv")) {
+    for (const SpokenExample& example : LoadExamples(UtterancesFile(GetParam()))) {
       if (only_held_out && !example.is_held_out) continue;
       counts.Add(example, HearingOf(Of(GetParam()).Understand(example.text), example));
     }

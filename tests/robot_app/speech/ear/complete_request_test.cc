@@ -39,6 +39,14 @@ TEST(CompleteRequest, WhatMayBeFollowedByADayOrAStopIsNot) {
   EXPECT_FALSE(IsSaid("when does the next tram leave"));
 }
 
+TEST(CompleteRequest, OpeningsChangeNothing) {
+  EXPECT_TRUE(IsSaid("could you please tell me where the copy shop is"));
+  EXPECT_FALSE(IsSaid("could you please tell me where the copy shop"));
+  EXPECT_TRUE(IsSaid("excuse me where is the library"));
+  EXPECT_TRUE(IsSaid("hello can you take me to the sports hall"));
+  EXPECT_FALSE(IsSaid("excuse me is the library open"));
+}
+
 TEST(CompleteRequest, WhereWordsOfAKnownSentenceFollowItIsNot) {
   EXPECT_FALSE(IsSaid("where is the office"));  // of Anna Weber
   EXPECT_FALSE(IsSaid("show me the menu"));     // for tomorrow

@@ -56,6 +56,43 @@ TEST(NgramCounts, AWordIsAsLikelyAsItWasSeenAfterTheOnesBefore) {
               DoubleNear(0.8 * 3 / 4 + 0.2 * where_is, 1e-3));
 }
 
+// As if "please where is it" had been added, but for how common "where", "is" and "it" are alone.
+TEST(NgramCounts, GreetingsStandBeforeEverySentence) {
+  NgramCounts told = TwoSentences(), added = TwoSentences();
+  told.AddBefore({{"please"}, {"excuse", "me"}}, 0.5);
+  for (const auto& [greeting, weight] : std::vector<std::pair<std::vector<std::string>, double>>{
+           {{"please"}, 0.25}, {{"excuse", "me"}, 0.25}}) {
+    for (const auto& [rest, times] : std::vector<std::pair<std::vector<std::string>, double>>{
+             {{"where", "is", "it"}, 3}, {{"where", "are", "you"}, 1}}) {
+      std::vector<std::string> sentence = greeting;
+      sentence.insert(sentence.end(), rest.begin(), rest.end());
+      added.Add(sentence, weight * times);
+    }
+  }
+  const auto have = EntriesOf(told.Arpa()), want = EntriesOf(added.Arpa());
+  ASSERT_EQ(have.size(), want.size());
+  for (const auto& [words, entry] : want) {
+    if (words.find(' ') == std::string::npos)
+      continue;  // words behind the greeting count once more
+    EXPECT_NEAR(have.at(words).probability, entry.probability, 0.05) << words;
+    EXPECT_EQ(have.at(words).back_off, entry.back_off) << words;
+  }
+  EXPECT_NEAR(have.at("<s> excuse me").probability, 1, 0.25);
+  EXPECT_NEAR(have.at("excuse me where").probability, 1, 0.25);
+}
+
+TEST(NgramCounts, CourtesiesStandBehindEverySentence) {
+  NgramCounts counts = TwoSentences();
+  counts.lower = 0.01;
+  counts.AddBehind({{"thank", "you"}, {"now"}}, 0.5);
+  const auto entries = EntriesOf(counts.Arpa());
+  EXPECT_NEAR(entries.at("is it </s>").probability, 1 / 1.5, 0.01);
+  EXPECT_NEAR(entries.at("is it thank").probability, 0.25 / 1.5, 0.01);
+  EXPECT_NEAR(entries.at("it thank you").probability, 1, 0.02);
+  EXPECT_NEAR(entries.at("are you now").probability, 0.25 / 1.5, 0.01);
+  EXPECT_NEAR(entries.at("you now </s>").probability, 1, 0.02);
+}
+
 // What follows a word adds up to one: what was seen, and the rest by the order below.
 TEST(NgramCounts, ProbabilitiesAddUpToOne) {
   const NgramCounts counts = TwoSentences();

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "robot_app/knowledge/store/folded_text.h"
 #include "robot_app/knowledge/store/queries.h"
 #include "tests/robot_app/knowledge/language_files.h"
 #include "tests/robot_app/knowledge/sample_database.h"
@@ -69,6 +71,24 @@ TEST(SpokenSentences, AFamilyNameStandsWithTitles) {
 TEST(SpokenSentences, ASecondSlotIsFilled) {
   EXPECT_THAT(Sentences(), Contains(Key("is the library open tomorrow")));
   EXPECT_THAT(Sentences(), Contains(Key("when does line 4 to marktplatz leave")));
+}
+
+TEST(SpokenSentences, EveryOpeningStandsBeforeSomeName) {
+  const auto& table = knowledge::ShippedLanguageFiles().intents;
+  const auto& example = In(Language::kEnglish, table.front().examples).at(9);
+  ASSERT_EQ(example.text, " where {place} is");
+  for (const std::string& opening : example.openings) {
+    const bool is_there = std::any_of(Sentences().begin(), Sentences().end(), [&](const auto& one) {
+      return one.first.rfind(knowledge::Folded(opening) + " where the ", 0) == 0;
+    });
+    EXPECT_TRUE(is_there) << opening;
+  }
+}
+
+TEST(SpokenSentences, ANameTakesAnArticleOrAnEndingAsItIsSaid) {
+  EXPECT_THAT(Sentences(), Contains(Key("where can i find an elevator")));
+  EXPECT_THAT(Sentences(), Not(Contains(Key("where can i find a elevator"))));
+  EXPECT_THAT(Sentences(), Contains(Key("where is anna webers office")));
 }
 
 TEST(SpokenSentences, AReplyIsYesNoANumberOrAName) {
