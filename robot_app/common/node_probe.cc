@@ -198,9 +198,9 @@ struct NodeProbe::Call {
     client.reset();
   }
 
-  std::string Silence() const {
-    const bool of_master = step == Step::kLookup || step == Step::kService;
-    return of_master ? "the ROS master does not answer" : "does not answer";
+  void EndInSilence() {
+    result->is_master_silent = step == Step::kLookup || step == Step::kService;
+    End(false, result->is_master_silent ? "the ROS master does not answer" : "does not answer");
   }
 };
 
@@ -310,7 +310,7 @@ struct NodeProbe::Sweep {
     for (Call& call : calls) {
       if (call.step == Call::Step::kDone) continue;
       dispatch.removeSource(call.client.get());
-      call.End(false, call.Silence());
+      call.EndInSilence();
     }
   }
 };

@@ -37,10 +37,11 @@ struct ProbeRequest {
 
 struct ProbeResult {
   bool answered = false;
-  int pid = 0;            ///< as the node says
-  Duration delay{0};      ///< until the answer
-  std::string reason;     ///< why not answered, for people
-  std::string host = {};  ///< where the node is, as it is registered; empty: not known
+  int pid = 0;                    ///< as the node says
+  Duration delay{0};              ///< until the answer
+  std::string reason;             ///< why not answered, for people
+  std::string host = {};          ///< where the node is, as it is registered; empty: not known
+  bool is_master_silent = false;  ///< the master was asked, and said nothing until the deadline
 };
 
 /// One sweep over several nodes at a time. For one thread.

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <utility>
 
@@ -25,6 +26,10 @@ namespace {
 
 constexpr Duration kRound = std::chrono::milliseconds(20);
 constexpr Duration kProbeDeadline = std::chrono::milliseconds(300);
+constexpr Duration kMasterPeriod = std::chrono::seconds(1);
+constexpr Duration kMasterDeadline = std::chrono::seconds(4);
+constexpr int kMostSilences = 4;  // of the master in a row, each until the deadline
+constexpr const char* kNobody = "/supervisor/nobody";  // for whom the master is asked every time
 constexpr Duration kReportPeriod = std::chrono::seconds(1);
 constexpr Duration kTimeForCalls = std::chrono::seconds(20);
 constexpr std::size_t kLongestLine = 1000;  // bytes
@@ -72,7 +77,8 @@ SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher
       calls_(supervisor_.config().given_up.command, launcher),
       switch_off_(!supervisor_.config().switch_off.empty(), std::move(switch_off_token)),
       check_site_(std::move(check)),
-      probe_(master.address, "/supervisor") {
+      probe_(master.address, "/supervisor"),
+      master_probe_(master.address, "/supervisor") {
   processes_ = handle_.advertise<coppice_msgs::ProcessStates>("/processes", 10, true);
   OfferServices();
   OfferSite();
@@ -228,12 +234,30 @@ void SupervisorProgram::Round() {
   }
   calls_.Step(clock_.Now());
   if (switch_off_.TakeStop(supervisor_, clock_.Now())) sync();
+  ProbeMaster();
   ProbeStarting();
   if (supervisor_.revision() != published_ || clock_.Now() - published_at_ >= kReportPeriod) {
     Publish();
     Save();
     local_.KeepLogsShort();
   }
+}
+
+// With a master that hangs those who run go on, but no program can be started or asked for anything
+// any more. It is ended, and all begins anew with another one. Who has started it himself, ends it.
+void SupervisorProgram::ProbeMaster() {
+  if (master_ended_ || master_.pid == 0) return;
+  if (!master_probe_.busy()) {
+    if (clock_.Now() - master_asked_at_ < kMasterPeriod) return;
+    master_asked_at_ = clock_.Now();
+    master_probe_.Begin({{kNobody, ""}}, kMasterDeadline);
+  }
+  if (!master_probe_.Work(Duration::zero())) return;
+  const bool is_silent = master_probe_.results()[0].is_master_silent;
+  master_silences_ = is_silent ? master_silences_ + 1 : 0;
+  if (master_silences_ != kMostSilences) return;
+  std::cout << "the ROS master hangs, and is ended" << std::endl;
+  local_.Signal(master_.pid, SIGKILL);
 }
 
 // Asks those that were started whether they are ready.

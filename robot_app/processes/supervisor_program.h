@@ -69,6 +69,7 @@ class SupervisorProgram {
   void WatchConditions();
   void WatchHeartbeats();
   void Round();
+  void ProbeMaster();
   void ProbeStarting();
   void TakeResult(std::size_t index);
   void Publish();
@@ -87,8 +88,10 @@ class SupervisorProgram {
   PersonCalls calls_;
   PowerDown switch_off_;
   const CheckSite check_site_;
-  NodeProbe probe_;
+  NodeProbe probe_, master_probe_;
   std::vector<Probed> probed_;
+  Time master_asked_at_{};
+  int master_silences_ = 0;  // in a row
   std::vector<TopicCondition> conditions_;
   bool master_ended_ = false;
   std::uint64_t published_ = 0;

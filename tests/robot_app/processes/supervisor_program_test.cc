@@ -115,6 +115,21 @@ TEST_F(SupervisorProgramTest, TheEndOfTheMasterIsTheBeginningOfANewStack) {
   EXPECT_EQ(PidOf(""), 0);
 }
 
+// Nothing could be restarted any more, nor could anybody ask for it.
+TEST_F(SupervisorProgramTest, AMasterThatHangsIsEndedAndTheStackBeginsAnew) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  const int master = PidOf("rosmaster"), first = PidOf("first");
+  RosGraph::Hang(master);
+  ASSERT_TRUE(Eventually([&] {
+    return PidOf("rosmaster") > 0 && PidOf("rosmaster") != master && PidOfNode("/second") > 0;
+  }));
+  EXPECT_NE(PidOf("first"), first);
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("the ROS master hangs, and is ended"));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);
+}
+
 TEST_F(SupervisorProgramTest, WhenItsNodeIsShutDownFromOutsideTheStackBeginsAnew) {
   StartSupervisor();
   ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
