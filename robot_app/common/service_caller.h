@@ -1,5 +1,5 @@
-// Calls of ROS services that must not hold up the thread that spins: one after the other on a
-// thread of their own; what came of them is handed back.
+// Calls of ROS services, and whatever else waits (for a disk), that must not hold up the thread
+// that spins: one after the other on a thread of their own; what came of them is handed back.
 #ifndef COPPICE_ROBOT_APP_COMMON_SERVICE_CALLER_H_
 #define COPPICE_ROBOT_APP_COMMON_SERVICE_CALLER_H_
 

@@ -7,12 +7,14 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "robot_app/common/places/pose_file.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/service_caller.h"
 #include "robot_app/common/transforms/message_time.h"
 #include "robot_app/localization/localizer.h"
 
@@ -87,7 +89,8 @@ class LocalizationNode {
   }
 
   /// At the end: exactly where the robot stands, for whoever takes over.
-  void LeavePose() const {
+  void LeavePose() {
+    writer_.reset();  // which has begun to write an earlier one
     const auto pose = localizer_.pose();
     if (pose && phase_ == LocalizationPhase::kOk) Save(*pose);
   }
@@ -206,15 +209,20 @@ class LocalizationNode {
     phase_ = report.phase;
   }
 
+  // On a thread of its own: a disk that is slow holds up nobody who wants to know where it is.
   void SaveNowAndThen(const Pose2D& pose, double stamp) {
-    if (std::abs(stamp - saved_stamp_) < kSavePeriod) return;
+    writer_->RunFinished();
+    if (is_saving_ || std::abs(stamp - saved_stamp_) < kSavePeriod) return;
     if (Distance(pose, saved_) < kSaveWay &&
         std::abs(NormalizeAngle(pose.yaw - saved_.yaw)) < kSaveWay) {
       return;
     }
-    Save(pose);
     saved_ = pose;
     saved_stamp_ = stamp;
+    is_saving_ = writer_->Add([this, pose]() -> ServiceCaller::Finish {
+      Save(pose);
+      return [this] { is_saving_ = false; };
+    });
   }
 
   void Save(const Pose2D& pose) const {
@@ -232,12 +240,14 @@ class LocalizationNode {
   LocalizationPhase phase_ = LocalizationPhase::kUncertain;  // as published
   Pose2D saved_{HUGE_VAL, HUGE_VAL, 0};
   double saved_stamp_ = 0;
+  bool is_saving_ = false;
   ros::Publisher pose_;
   ros::Publisher state_;
   ros::Publisher tf_;
   std::vector<ros::Subscriber> subscribers_;
   ros::ServiceServer global_;
   ros::Timer timer_;
+  std::unique_ptr<ServiceCaller> writer_ = std::make_unique<ServiceCaller>();
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 #include "robot_app/common/child_process.h"
 #include "robot_app/common/ros_support.h"
@@ -52,10 +53,10 @@ class LocalizationNodeTest : public testing::Test {
   void StartFilter() {
     filter_ = ChildProcess({kPrograms + "coppice-odometry-filter"}, Log("odometry_filter"));
   }
-  void StartLocalization() {
+  void StartLocalization(const std::vector<std::pair<std::string, std::string>>& environment = {}) {
     localization_ = ChildProcess({kPrograms + "coppice-localization", "_start_pose:=-2.4 0 3.14159",
                                   "_last_pose_file:=" + kLastPose},
-                                 Log("localization"));
+                                 Log("localization"), environment);
   }
   static void Kill(ChildProcess& process) {
     kill(process.pid(), SIGKILL);
@@ -194,6 +195,28 @@ TEST_F(LocalizationNodeTest, GoesOnAfterRestartsOfEither) {
   EXPECT_TRUE(TurnUntilOk());
   EXPECT_EQ(localization_.Stop(std::chrono::seconds(5)), 0);
   EXPECT_EQ(filter_.Stop(std::chrono::seconds(5)), 0);
+}
+
+TEST_F(LocalizationNodeTest, DoesNotWaitForADiskThatIsSlow) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer wants to be loaded first";
+#endif
+  ASSERT_TRUE(WaitForPhase(State::OK)) << TextOf(Log("localization"));
+  localization_.Stop(std::chrono::seconds(5));
+  std::filesystem::remove(kLastPose);
+  state_.Forget();
+  const std::string ready = Own("disk_ready");
+  StartLocalization({{"LD_PRELOAD", BinaryFolder() + "/tests/lib/libtest_slow_disk.so"},
+                     {"COPPICE_TEST_DISK_READY", ready}});
+  ASSERT_TRUE(WaitForPhase(State::OK)) << TextOf(Log("localization"));
+  const double begun = state_.get()->header.stamp.toSec();
+  EXPECT_TRUE(Eventually([&] { return state_.get()->header.stamp.toSec() > begun + 10; }));
+  EXPECT_EQ(state_.get()->phase, State::OK);
+  EXPECT_TRUE(IsWhereItShouldBe(0.03));
+  EXPECT_FALSE(std::filesystem::exists(kLastPose)) << "the disk has not taken it yet";
+  std::ofstream(ready) << "now\n";
+  EXPECT_TRUE(Eventually([&] { return std::filesystem::exists(kLastPose); }));
+  EXPECT_EQ(localization_.Stop(std::chrono::seconds(5)), 0);
 }
 
 }  // namespace
