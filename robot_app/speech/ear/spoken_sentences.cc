@@ -76,8 +76,12 @@ class Writer {
  public:
   Writer(const SpokenLanguage& spoken, const std::function<void(const Sentence&, double)>& add)
       : spoken_(spoken), add_(add) {
-    for (const Name& name : spoken.names) AddName(name.kind, name.text, name.language);
-    for (const Name& name : spoken.words.days) AddName(name.kind, name.text, name.language);
+    std::map<std::string, std::string> people;  // how the robot calls them
+    for (const Name& name : spoken.names) {
+      if (name.kind == Kind::kPerson && name.is_main) people[name.subject] = name.text;
+    }
+    for (const Name& name : spoken.names) AddName(name, people[name.subject]);
+    for (const Name& name : spoken.words.days) AddName(name, {});
     AddLines();
     for (const auto& [short_form, words] : spoken.words.contractions) {
       contractions_[words] = short_form;
@@ -91,12 +95,12 @@ class Writer {
       for (const auto& phrase : In(spoken_.language, row.phrases)) WritePhrase(row, phrase);
       Hand(kPhrases);
       if (row.is_bare) WriteNames(row, {}, 1);
-      Hand(row.intent == knowledge::Intent::kSmallTalk ? kExamples : kBare);
+      Hand(row.intent == knowledge::Intent::kSmallTalk ? kSmallTalk : kBare);
     }
   }
 
  private:
-  static constexpr double kExamples = 0.7, kPhrases = 0.2, kBare = 0.15;
+  static constexpr double kExamples = 0.7, kPhrases = 0.2, kBare = 0.15, kSmallTalk = 1.2;
   static constexpr double kOpened = 0.6;  // where there are openings
   static constexpr double kContracted = 0.3;
 
@@ -130,17 +134,21 @@ class Writer {
     add_(contracted, kContracted * weight);
   }
 
-  void AddName(Kind kind, const std::string& text, knowledge::Language language) {
-    if (language != spoken_.language) return;
+  void AddName(const Name& name, const std::string& person) {
+    if (name.language != spoken_.language) return;
     Sentence words;
-    for (std::string& word : knowledge::SplitWords(text)) {
+    for (std::string& word : knowledge::SplitWords(name.text)) {
       if (words.empty() && word == "the") continue;
       words.push_back(std::move(word));
     }
     if (words.empty()) return;
-    names_[kind].insert(words);
-    if (kind != Kind::kPerson || words.size() > 1) return;
-    for (const std::string& title : spoken_.words.titles) names_[kind].insert({title, words[0]});
+    names_[name.kind].insert(words);
+    // "Doctor Weber", "Doctor Anna Weber", but no "Doctor IT support".
+    const bool is_called_so = !name.is_main && person.find(name.text) != std::string::npos;
+    if (name.kind != Kind::kPerson || !is_called_so) return;
+    for (const std::string& title : spoken_.words.titles) {
+      names_[name.kind].insert(Joined({title}, words));
+    }
   }
 
   // "line {}", "the {}": as people call what is written on a tram.

@@ -66,6 +66,8 @@ TEST(SpokenSentences, WhatIsContractedStandsBothWays) {
 
 TEST(SpokenSentences, AFamilyNameStandsWithTitles) {
   EXPECT_THAT(Sentences(), Contains(Key("where is mrs brandt")));
+  EXPECT_THAT(Sentences(), Contains(Key("where is doctor paul weber")));
+  EXPECT_THAT(Sentences(), Not(Contains(Key("where is mrs janitor"))));
 }
 
 TEST(SpokenSentences, ASecondSlotIsFilled) {
