@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <csignal>
 #include <iostream>
+#include <thread>
 #include <utility>
 
 #include "bt_core/model/utf8.h"
@@ -24,6 +25,7 @@
 namespace coppice::robot::processes {
 namespace {
 
+constexpr Duration kPause = std::chrono::milliseconds(2);
 constexpr Duration kRound = std::chrono::milliseconds(20);
 constexpr Duration kProbeDeadline = std::chrono::milliseconds(300);
 constexpr Duration kMasterPeriod = std::chrono::seconds(1);
@@ -136,7 +138,9 @@ void SupervisorProgram::OfferServices() {
 void SupervisorProgram::OfferSite() {
   const CheckSite check = [this](const std::string& site) {
     const Outcome complete = check_site_(site);
-    return complete ? SaveMemory(supervisor_.RememberAt(site), state_file_) : complete;
+    if (!complete) return complete;
+    FinishWriting();
+    return SaveMemory(supervisor_.RememberAt(site), state_file_);
   };
   using Site = coppice_msgs::SetSite;
   services_.push_back(handle_.advertiseService<Site::Request, Site::Response>(
@@ -188,7 +192,7 @@ SupervisorProgram::Ending SupervisorProgram::Run(const std::function<bool()>& st
   const bool is_stopped = stop() || supervisor_.stopping();
   if (!is_stopped && !switch_off_.may_cut()) {
     std::cout << "the whole stack begins anew: " << supervisor_.stack_reason() << std::endl;
-    Save();
+    SaveNow();
     return Ending::kNewStack;
   }
   supervisor_.StopAll();
@@ -197,9 +201,10 @@ SupervisorProgram::Ending SupervisorProgram::Run(const std::function<bool()>& st
   while (!calls_.idle() && clock_.Now() < give_up) Round();
   Publish();
   if (!is_stopped) {
-    Save();
+    SaveNow();
     return Ending::kSwitchOff;
   }
+  FinishWriting();
   if (!stop()) return Ending::kNoMaster;
   // Who stops a robot on purpose starts it afresh, where it is; only the counters stay.
   SupervisorMemory counters;
@@ -355,14 +360,39 @@ std::string SupervisorProgram::unsaved() const {
   return unsaved_because_.empty() ? "" : ToText(supervisor_.Remember());
 }
 
-// What cannot be written is tried again, until it can be; the same problem is said once.
+// On a thread of its own: whoever restarts programs waits for no disk. What cannot be written is
+// tried again, until it can be.
 void SupervisorProgram::Save() {
+  writer_.RunFinished();
   const SupervisorMemory memory = supervisor_.Remember();
-  std::string text = ToText(memory);
-  if (text == saved_) return;
-  const Outcome saved = SaveMemory(memory, state_file_);
+  if (is_writing_ || ToText(memory) == saved_) return;
+  is_writing_ = writer_.Add([this, memory]() -> ServiceCaller::Finish {
+    const Outcome saved = SaveMemory(memory, state_file_);
+    return [this, memory, saved] {
+      is_writing_ = false;
+      Saved(memory, saved);
+    };
+  });
+}
+
+// What is written before this returns is not overwritten by something older.
+void SupervisorProgram::FinishWriting() {
+  while (is_writing_) {
+    std::this_thread::sleep_for(kPause);
+    writer_.RunFinished();
+  }
+}
+
+void SupervisorProgram::SaveNow() {
+  FinishWriting();
+  const SupervisorMemory memory = supervisor_.Remember();
+  if (ToText(memory) != saved_) Saved(memory, SaveMemory(memory, state_file_));
+}
+
+// The same problem is said once.
+void SupervisorProgram::Saved(const SupervisorMemory& memory, const Outcome& saved) {
   if (saved) {
-    saved_ = std::move(text);
+    saved_ = ToText(memory);
   } else if (saved.problem() != unsaved_because_) {
     std::cerr << "coppice-supervisor: " << saved.problem() << std::endl;
   }

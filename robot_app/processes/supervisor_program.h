@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "robot_app/common/node_probe.h"
+#include "robot_app/common/service_caller.h"
 #include "robot_app/processes/config/conditions.h"
 #include "robot_app/processes/launch/parameter_launcher.h"
 #include "robot_app/processes/launch/process_launcher.h"
@@ -76,6 +77,9 @@ class SupervisorProgram {
   void NotifySystemd() const;
   void Tell(std::size_t process);
   void Save();
+  void FinishWriting();
+  void SaveNow();
+  void Saved(const SupervisorMemory& memory, const Outcome& saved);
 
   ros::NodeHandle handle_;
   WallClock clock_;
@@ -98,10 +102,12 @@ class SupervisorProgram {
   Time published_at_{};
   std::string saved_;            // what the file holds
   std::string unsaved_because_;  // empty: it holds all
+  bool is_writing_ = false;
   std::vector<std::string> told_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
   ros::Publisher processes_;
+  ServiceCaller writer_;
 };
 
 }  // namespace coppice::robot::processes

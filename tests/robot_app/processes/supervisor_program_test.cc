@@ -186,6 +186,26 @@ TEST_F(SupervisorProgramTest, WorksThoughNobodyReadsWhatItSays) {
   close(full);
 }
 
+TEST_F(SupervisorProgramTest, RestartsProgramsThoughTheDiskIsSlow) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer wants to be loaded first";
+#endif
+  setenv("COPPICE_TEST_DISK_READY", (folder_ + "/ready").c_str(), 1);
+  setenv("LD_PRELOAD", (BinaryFolder() + "/tests/lib/libtest_slow_disk.so").c_str(), 1);
+  StartSupervisor();
+  unsetenv("LD_PRELOAD");
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  const int second = PidOf("second");
+  kill(second, SIGKILL);
+  EXPECT_TRUE(
+      Eventually([&] { return PidOfNode("/second") > 0 && PidOfNode("/second") != second; }));
+  std::ofstream(folder_ + "/ready") << "now\n";
+  EXPECT_TRUE(Eventually(
+      [&] { return Read("logs/supervisor.json").find("\"second\": 1") != std::string::npos; }));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);
+}
+
 // Where systemd listens to a service: in a folder of its own, for a socket has 107 characters.
 class NotifySocket {
  public:
