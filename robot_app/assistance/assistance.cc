@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "robot_app/assistance/assistance_store.h"
 #include "robot_app/assistance/channels/telegram_answers.h"
 
 namespace coppice::robot::assistance {
@@ -173,17 +172,36 @@ void Assistance::EndLinksOfClosed() {
   }
 }
 
+// On a thread of its own: people are asked, and drive, though the disk is slow.
 void Assistance::Save(std::vector<std::string>& problems) {
   if (state_file_.empty()) return;
+  writer_->RunFinished();
+  if (!save_problem_.empty()) problems.push_back(std::exchange(save_problem_, ""));
+  if (is_saving_) return;
   if (saved_desk_ == desk_.version() && saved_access_ == access_.version()) return;
   saved_desk_ = desk_.version();
   saved_access_ = access_.version();
-  const AssistanceState state = {{desk_.requests().begin(), desk_.requests().end()},
-                                 access_.state()};
-  Diagnostics diagnostics;
-  if (!SaveState(state_file_, state, diagnostics)) {
-    problems.push_back(diagnostics.ToString());
-  }
+  is_saving_ = writer_->Add([this, state = CurrentState()]() -> ServiceCaller::Finish {
+    Diagnostics diagnostics;
+    const bool is_saved = SaveState(state_file_, state, diagnostics);
+    return [this, problem = is_saved ? "" : diagnostics.ToString()] {
+      is_saving_ = false;
+      save_problem_ = problem;
+    };
+  });
+}
+
+AssistanceState Assistance::CurrentState() const {
+  return {{desk_.requests().begin(), desk_.requests().end()}, access_.state()};
+}
+
+// The writer may not have begun with the last one.
+Assistance::~Assistance() {
+  const bool is_left =
+      is_saving_ || saved_desk_ != desk_.version() || saved_access_ != access_.version();
+  writer_.reset();
+  Diagnostics ignored;
+  if (is_left && !state_file_.empty()) SaveState(state_file_, CurrentState(), ignored);
 }
 
 }  // namespace coppice::robot::assistance

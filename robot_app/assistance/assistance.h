@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "robot_app/assistance/assistance_config.h"
+#include "robot_app/assistance/assistance_store.h"
 #include "robot_app/assistance/channels/chat_answer.h"
 #include "robot_app/assistance/channels/message_sender.h"
 #include "robot_app/assistance/help_desk.h"
 #include "robot_app/assistance/page/page_access.h"
+#include "robot_app/common/service_caller.h"
 
 namespace coppice::robot::assistance {
 
@@ -30,6 +32,7 @@ class Assistance {
   /// they end with the program. `now`: nanoseconds since 1970 of a clock that never goes back.
   Assistance(const AssistanceConfig& config, Channels channels, const std::string& state_file,
              Time now);
+  ~Assistance();
 
   /// Where the page is, without slash at its end; from now on questions bear a link to it.
   void set_page_url(const std::string& url) { page_url_ = url; }
@@ -54,6 +57,7 @@ class Assistance {
   void SendLetters(Time now);
   void EndLinksOfClosed();
   void Save(std::vector<std::string>& problems);
+  AssistanceState CurrentState() const;
 
   const AssistanceConfig config_;
   const std::string state_file_;
@@ -66,6 +70,9 @@ class Assistance {
   std::uint64_t messages_so_far_ = 0;
   std::uint64_t saved_desk_ = 0;
   std::uint64_t saved_access_ = 0;
+  bool is_saving_ = false;
+  std::string save_problem_;  // of the last time
+  std::unique_ptr<ServiceCaller> writer_ = std::make_unique<ServiceCaller>();
 };
 
 }  // namespace coppice::robot::assistance

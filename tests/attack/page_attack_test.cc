@@ -1,4 +1,6 @@
 // Attacks on the supervisor page, by the network that it is on: the real program, real sockets.
+#include <coppice_msgs/AskForHelp.h>
+#include <coppice_msgs/HelpRequests.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <sensor_msgs/LaserScan.h>
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include "robot_app/common/child_process.h"
+#include "robot_app/common/service_call.h"
 #include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/assistance/page_caller.h"
 #include "tests/robot_app/eventually.h"
@@ -73,6 +76,32 @@ class PageAttack : public testing::Test {
   const std::string folder_ = testing::TempDir() + "page_attack_" + std::to_string(getpid()) + "_";
   ChildProcess program_;
 };
+
+TEST_F(PageAttack, PeopleAreAskedThoughTheDiskIsSlow) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer wants to be loaded first";
+#endif
+  const std::string ready = folder_ + "ready", state = folder_ + "state.json";
+  program_ = ChildProcess({BinaryFolder() + "/bin/coppice-assistance", "--config",
+                           folder_ + "supervisors.yaml", "--live-port", "0", "--state", state},
+                          Log(),
+                          {{"PAGE_ATTACK_TOKEN", kToken},
+                           {"PAGE_ATTACK_VIEWER", kViewerToken},
+                           {"LD_PRELOAD", BinaryFolder() + "/tests/lib/libtest_slow_disk.so"},
+                           {"COPPICE_TEST_DISK_READY", ready}});
+  ros::NodeHandle node;
+  const Latest<coppice_msgs::HelpRequests> requests(node, "/assistance/requests");
+  for (const std::size_t count : {1, 2}) {
+    coppice_msgs::AskForHelp ask;
+    ask.request.subject = "fault " + std::to_string(count);
+    ASSERT_TRUE(Eventually([&] { return CallService("/assistance/ask", ask); })) << TextOf(Log());
+    EXPECT_TRUE(
+        Eventually([&] { return requests.get() && requests.get()->requests.size() == count; }));
+  }
+  std::ofstream(ready) << "now\n";
+  EXPECT_EQ(program_.Stop(std::chrono::seconds(10)), 0);
+  EXPECT_THAT(TextOf(state), HasSubstr("fault 2"));
+}
 
 // Somebody at the stick of a robot whose laser is in the hands of the test.
 class PageAttackOnTheWheel : public PageAttack {
