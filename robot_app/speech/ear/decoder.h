@@ -24,9 +24,9 @@ namespace coppice::robot::speech {
 
 /// How much a decoder leans on what it expects to hear.
 struct Expectation {
-  double language_weight = 6.5;  ///< of the words against the sound
-  double surprise = 0.03;        ///< share of words that were not expected after those before
-  double anything = 0.2;  ///< of these, the share of words that the knowledge knows nothing of
+  double language_weight = 8;  ///< of the words against the sound
+  double surprise = 0.03;      ///< share of words that were not expected after those before
+  double anything = 0.2;       ///< of these, the share of words that the knowledge knows nothing of
   std::size_t common_words = 1000;
   double elsewhere = 0;  ///< share of sentences as people say them anywhere (Debian's model)
 };

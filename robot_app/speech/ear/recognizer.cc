@@ -21,8 +21,8 @@ constexpr double kLeastChance = 1e-3;            // of a text that is worth bein
 
 // One knows little but what people ask here, the other what they say anywhere, too: what only one
 // of them has understood is less sure.
-const Expectation kStrict{6.5, 0.03, 0.2, 1000, 0};
-const Expectation kOpen{6.5, 0.01, 0.1, 2000, 0.1};
+const Expectation kStrict{8, 0.03, 0.2, 1000, 0};
+const Expectation kOpen{8, 0.01, 0.1, 2000, 0.1};
 
 Outcome AddCommonWords(const std::string& folder, const SpokenLanguage& spoken, std::size_t most,
                        const Pronunciations& dictionary, NgramCounts& counts) {
