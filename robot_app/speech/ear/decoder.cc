@@ -179,7 +179,10 @@ void Decoder::Free::operator()(ps_decoder_s* decoder) const { ps_free(decoder); 
 Expected<Decoder> Decoder::Make(const std::string& model_folder, const Pronunciations& dictionary,
                                 const NgramCounts& site, const Expectation& expectation) {
   err_set_logfp(nullptr);
-  const Folder files({{"site.arpa", site.Arpa()}, {"words.dict", DictionaryOf(site, dictionary)}});
+  Folder::Files texts;  // long ones
+  texts.emplace_back("site.arpa", site.Arpa());
+  texts.emplace_back("words.dict", DictionaryOf(site, dictionary));
+  const Folder files(std::exchange(texts, {}));
   if (!files.is_whole()) return Problem{"there is no room for the words of the site"};
   Decoder made(DecoderOf(model_folder, files, expectation.language_weight));
   if (!made.decoder_ || !SetSentences(made.decoder_.get(), files.Path("site.arpa"),

@@ -10,21 +10,26 @@
 #ifndef COPPICE_ROBOT_APP_SPEECH_EAR_NGRAM_COUNTS_H_
 #define COPPICE_ROBOT_APP_SPEECH_EAR_NGRAM_COUNTS_H_
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coppice::robot::speech {
 
 class NgramCounts {
  public:
+  NgramCounts();
+
   void Add(const std::vector<std::string>& sentence, double weight);
   /// These before and behind any of the sentences that were added until now, as if so many of them
   /// were said with one more: "excuse me", "please". None of them is empty.
   void AddBefore(const std::vector<std::vector<std::string>>& greetings, double share);
   void AddBehind(const std::vector<std::vector<std::string>>& courtesies, double share);
   /// A word that may come anywhere; all of these together have kAnywhere of the probability.
-  void AddAnywhere(const std::string& word, double weight) { anywhere_[word] += weight; }
+  void AddAnywhere(const std::string& word, double weight) { anywhere_[NumberOf(word)] += weight; }
 
   std::vector<std::string> Words() const;
   std::string Arpa() const;
@@ -33,13 +38,23 @@ class NgramCounts {
   double anywhere = 0.4;  ///< of the unigrams' probability
 
  private:
-  using History = std::vector<std::string>;  // the words before, the last one last
-  using Followers = std::map<std::string, double>;
-  void AddNgrams(const std::vector<std::string>& words, double weight);
-  Followers FollowersOf(const History& history) const;
+  static constexpr std::size_t kOrder = 3;
+  using Word = std::uint32_t;              // its place in words_
+  using Ngram = std::array<Word, kOrder>;  // a shorter one ends with zeros
+  using Counts = std::map<Ngram, double>;  // those that begin alike are neighbours
+  using Counted = std::pair<Ngram, double>;
 
-  std::map<History, Followers> counts_;
-  std::map<std::string, double> anywhere_;
+  Word NumberOf(const std::string& word);
+  std::vector<Word> NumbersOf(const std::vector<std::string>& words);
+  void Count(const std::vector<Word>& words, double weight);
+  bool GoesOn(const Ngram& words, std::size_t length) const;
+  std::vector<double> UnigramProbabilities() const;
+  std::string Line(double probability, const Ngram& words, std::size_t length) const;
+
+  std::vector<std::string> words_;
+  std::map<std::string, Word> numbers_;
+  std::array<Counts, kOrder> counts_;  // of one word, of two and of three
+  std::map<Word, double> anywhere_;
 };
 
 }  // namespace coppice::robot::speech
