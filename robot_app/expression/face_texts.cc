@@ -16,7 +16,7 @@ constexpr int kScale = 4;       // pixels of the picture for one of the matrix
 constexpr int kGap = 12;        // pixels
 constexpr int kTitle = 180;     // pixels, left of the frames
 constexpr int kStrip = 8;       // pixels, height of the strips
-constexpr double kLeast = 0.2;  // a frame that is shorter is left out [s]
+constexpr double kLeast = 0.2;  // a frame that is shorter is left out, if another is not [s]
 const cv::Scalar kInk(225, 225, 225), kPaper(24, 24, 28);
 
 std::string Ansi(int layer, const Colour& colour) {
@@ -27,11 +27,15 @@ std::string Ansi(int layer, const Colour& colour) {
 
 // When the first frames of an expression are half over [s].
 std::vector<double> ShownTimes(const Appearance& appearance) {
+  const std::vector<FaceFrame>& face = appearance.face;
+  const auto is_long = [](const FaceFrame& frame) { return frame.seconds >= kLeast; };
+  const bool shows_all =
+      face.size() > 2 * kShown || std::none_of(face.begin(), face.end(), is_long);
   std::vector<double> times;
   double begin = 0;
-  for (const FaceFrame& frame : appearance.face) {
-    const bool is_long = frame.seconds >= kLeast || appearance.face.size() > 2 * kShown;
-    if (is_long && times.size() < kShown) times.push_back(begin + frame.seconds / 2);
+  for (const FaceFrame& frame : face) {
+    const bool is_shown = shows_all || is_long(frame);
+    if (is_shown && times.size() < kShown) times.push_back(begin + frame.seconds / 2);
     begin += frame.seconds;
   }
   return times;

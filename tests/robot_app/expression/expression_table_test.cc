@@ -6,6 +6,7 @@
 
 #include "robot_app/common/robot_description.h"
 #include "robot_app/expression/face_painter.h"
+#include "robot_app/expression/face_texts.h"
 #include "robot_app/expression/limbs.h"
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
@@ -46,6 +47,17 @@ TEST_F(ExpressionTableTest, TheEyesAtRestAreRingsThatBlink) {
   EXPECT_NE(open.at(48, 26), kBlack);
   const Picture closed = PaintFace(FaceAt(rest, 4.88));
   EXPECT_EQ(closed.at(15, 5), kBlack) << "a blink";
+}
+
+// The program crashed: of frames that are all shorter than those that are shown it had none.
+TEST_F(ExpressionTableTest, AnExpressionOfShortFramesAloneIsPaintedAsWell) {
+  ExpressionTable table = Shipped();
+  const Picture shipped = Overview(table);
+  table[Expression::NEUTRAL].face.resize(1);
+  table[Expression::NEUTRAL].face[0].seconds = 0.02;
+  const Picture overview = Overview(table);
+  EXPECT_EQ(overview.width, shipped.width);
+  EXPECT_EQ(overview.height, shipped.height);
 }
 
 TEST_F(ExpressionTableTest, WhoListensIsGreenWithEarsForwardAndWideEyes) {
