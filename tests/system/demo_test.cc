@@ -60,8 +60,9 @@ TEST(Robot, LeadsAVisitorAndRecoversFromADeadNodeAndABlockedCorridorOnItsPatrol)
   EXPECT_NE(Contents(folder / "demo.log").find("the visitor was led to office_103"),
             std::string::npos);
   EXPECT_TRUE(run.problems.empty()) << run.problems.front();
-  EXPECT_EQ(run.rounds, 1);
-  EXPECT_GE(run.stops, 4);  // more if the visitor came in the middle of the round
+  // More if the visitor came in the middle of the round, or at its end: then it is begun anew.
+  EXPECT_GE(run.rounds, 1);
+  EXPECT_GE(run.stops, 4);
   EXPECT_TRUE(run.docked);
   EXPECT_EQ(run.injected.size(), 2u);
   EXPECT_GE(run.Recovery("restart node").succeeded, 1);
