@@ -7,8 +7,10 @@ namespace coppice::leaves {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kFacing = 0.1;  // nearer to straight ahead needs no turn [rad]
-constexpr double kBehind = 0.8;  // to either side of straight behind [rad]
+constexpr double kFacing = 0.1;    // nearer to straight ahead needs no turn [rad]
+constexpr double kBehind = 0.8;    // to either side of straight behind [rad]
+constexpr double kClose = 1.5;     // [m]
+constexpr double kStanding = 0.3;  // no faster [m/s]
 constexpr char kBlind[] = "perception does not tell who is around";
 
 bool IsInSight(const SeenPerson& person) { return person.unseen_for <= kOldestSight; }
@@ -76,7 +78,8 @@ bool FollowerNear::IsNear(const SeenPerson& person) const {
   return person.distance() <= *distance && person.unseen_for <= *patience;
 }
 
-// A track that breaks off gets another number; somebody right behind the robot is the one who
+// A track that breaks off gets another number, and who was nearest at the beginning may have been
+// somebody who went his way; somebody right behind the robot, else who stands close, is the one who
 // follows it. Who walks ahead or passes by is not.
 bool FollowerNear::Check() {
   const PeopleView* view = Fresh(people, now());
@@ -88,6 +91,11 @@ bool FollowerNear::Check() {
   if (follower == nullptr) {
     follower = view->Nearest([&](const SeenPerson& person) {
       return IsNear(person) && kPi - std::abs(person.angle()) <= kBehind;
+    });
+  }
+  if (follower == nullptr) {
+    follower = view->Nearest([&](const SeenPerson& person) {
+      return IsNear(person) && person.distance() <= kClose && person.speed <= kStanding;
     });
   }
   if (follower == nullptr) return false;

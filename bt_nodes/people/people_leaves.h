@@ -74,7 +74,8 @@ class FollowerBehind : public Condition {
 class FollowerNear : public Condition {
  public:
   static constexpr const char* kDescription =
-      "Is the follower near, also if hidden for a moment? Who has lost him takes whoever is behind.";
+      "Is the follower near, also if hidden for a moment? Who has lost him takes whoever is behind "
+      "or stands close.";
   PeopleInput people{this, "people", "fed by perception", kOptional};
   Input<double> distance{this, "distance", "at most [m]", 4.0};
   Input<double> patience{this, "patience", "hidden for at most [s]", 3.0};

@@ -133,9 +133,21 @@ TEST_F(FollowerNearTest, TakesWhoeverIsBehindForOneWhoseTrackBrokeOff) {
   EXPECT_EQ(leaf_.Get<int>("id"), 9);
 }
 
+// Somebody stood nearer when it began, and went his way.
+TEST_F(FollowerNearTest, TakesWhoStandsCloseForTheOneWhoFollows) {
+  leaf_.Set("id", 5);
+  Show(leaf_, {At(0.3, 0.6, 9), At(6, 5, 5)});
+  EXPECT_EQ(leaf_.Tick(), Status::kSuccess);
+  EXPECT_EQ(leaf_.Get<int>("id"), 9);
+  Show(leaf_, {At(2, 0, 10)});
+  EXPECT_EQ(leaf_.Tick(), Status::kFailure) << "he stands farther away";
+}
+
 TEST_F(FollowerNearTest, WhoWalksAheadIsNoFollower) {
   leaf_.Set("id", 5);
-  Show(leaf_, {At(1, 0, 10), At(-5, 0, 5)});
+  SeenPerson walks = At(1, 0, 10);
+  walks.speed = 1;
+  Show(leaf_, {walks, At(-5, 0, 5)});
   EXPECT_EQ(leaf_.Tick(), Status::kFailure);
 }
 
