@@ -50,14 +50,14 @@ CompleteRequest::CompleteRequest(const SpokenLanguage& spoken)
       fillers_(spoken.words.fillers),
       language_(spoken.language),
       understander_(spoken.intents, spoken.words, spoken.names, spoken.language) {
-  for (const std::string& text : spoken.words.greetings) {
-    openings_.insert(knowledge::SplitWords(text));
-  }
+  const auto add_openings = [this](const std::vector<std::string>& texts) {
+    const std::vector<Sentence> openings = AsSentences(texts);
+    openings_.insert(openings.begin(), openings.end());
+  };
+  add_openings(spoken.words.greetings);
   for (const knowledge::IntentRow& row : table_) {
     for (const knowledge::Example& example : In(language_, row.examples)) {
-      for (const std::string& text : example.openings) {
-        openings_.insert(knowledge::SplitWords(text));
-      }
+      add_openings(example.openings);
     }
   }
   ForEachSentence(spoken, [this](const Sentence& sentence, double) {

@@ -28,7 +28,7 @@ class NgramCounts {
   /// were said with one more: "excuse me", "please". None of them is empty.
   void AddBefore(const std::vector<std::vector<std::string>>& greetings, double share);
   void AddBehind(const std::vector<std::vector<std::string>>& courtesies, double share);
-  /// A word that may come anywhere; all of these together have kAnywhere of the probability.
+  /// A word that may come anywhere; all of these together have `anywhere` of the probability.
   void AddAnywhere(const std::string& word, double weight) { anywhere_[NumberOf(word)] += weight; }
 
   std::vector<std::string> Words() const;

@@ -43,18 +43,12 @@ Outcome AddCommonWords(const std::string& folder, const SpokenLanguage& spoken, 
   return {};
 }
 
-std::vector<Sentence> SentencesOf(const std::vector<std::string>& texts) {
-  std::vector<Sentence> sentences;
-  for (const std::string& text : texts) sentences.push_back(knowledge::SplitWords(text));
-  return sentences;
-}
-
 NgramCounts CountsOf(const SpokenLanguage& spoken) {
   NgramCounts counts;
   ForEachSentence(
       spoken, [&counts](const Sentence& sentence, double weight) { counts.Add(sentence, weight); });
-  counts.AddBefore(SentencesOf(spoken.words.greetings), kGreeted);
-  counts.AddBehind(SentencesOf(spoken.words.courtesies), kPolite);
+  counts.AddBefore(AsSentences(spoken.words.greetings), kGreeted);
+  counts.AddBehind(AsSentences(spoken.words.courtesies), kPolite);
   ForEachReply(spoken, [&counts](const Sentence& sentence, double weight) {
     counts.Add(sentence, kUnasked * weight);
   });

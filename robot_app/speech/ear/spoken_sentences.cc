@@ -51,12 +51,6 @@ Sentence Joined(Sentence words, const Sentence& more) {
   return words;
 }
 
-std::vector<Sentence> SentencesOf(const std::vector<std::string>& texts) {
-  std::vector<Sentence> sentences;
-  for (const std::string& text : texts) sentences.push_back(knowledge::SplitWords(text));
-  return sentences;
-}
-
 // Of so many the one for the i-th sentence: in turn, so that all are used with little written.
 // Shifted from round to round, as every other sentence has an article.
 std::size_t InTurn(std::size_t i, std::size_t count) { return (i + i / count) % count; }
@@ -220,7 +214,7 @@ class Writer {
   void WriteExample(const knowledge::Example& example) {
     const std::size_t first = collected_.size();
     WriteText(example.text);
-    const std::vector<Sentence> openings = SentencesOf(example.openings);
+    const std::vector<Sentence> openings = AsSentences(example.openings);
     const std::size_t count = collected_.size() - first;
     if (openings.empty() || count == 0) return;
     double sum = 0;
@@ -279,6 +273,12 @@ class Writer {
 };
 
 }  // namespace
+
+std::vector<Sentence> AsSentences(const std::vector<std::string>& texts) {
+  std::vector<Sentence> sentences;
+  for (const std::string& text : texts) sentences.push_back(knowledge::SplitWords(text));
+  return sentences;
+}
 
 void ForEachSentence(const SpokenLanguage& spoken,
                      const std::function<void(const Sentence&, double)>& add) {

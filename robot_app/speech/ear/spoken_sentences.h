@@ -16,6 +16,8 @@ namespace coppice::robot::speech {
 /// Folded words.
 using Sentence = std::vector<std::string>;
 
+std::vector<Sentence> AsSentences(const std::vector<std::string>& texts);
+
 struct SpokenLanguage {
   const knowledge::IntentTable& intents;
   const knowledge::LanguageWords& words;

@@ -161,6 +161,18 @@ class ShipperTest : public PostgresServerTest {
   bool IsEmptySoon() const {
     return Eventually([this] { return spool_->Look().documents == 0; });
   }
+  // Of somebody else, which may hold up what the store wants.
+  static pqxx::connection OtherSession() {
+    ServerConfig config = postgres_->owner();
+    config.database = "robots";
+    return pqxx::connection(ConnectionText(config));
+  }
+  static bool GivesUp(Shipper& shipper) {
+    return Eventually([&] {
+      shipper.Watch();
+      return !shipper.Look().problem.empty();
+    });
+  }
 
   const TemporaryFolder folder_;
   ShipperOptions options_;
@@ -219,18 +231,13 @@ TEST_F(ShipperTest, GoesOnWhenThePasswordIsRightAgain) {
 }
 
 TEST_F(ShipperTest, GivesUpWaitingForAnAnswerThatDoesNotCome) {
-  ServerConfig config = postgres_->owner();
-  config.database = "robots";
-  pqxx::connection other(ConnectionText(config));
+  pqxx::connection other = OtherSession();
   pqxx::work lock(other);
+  options_.patience = std::chrono::milliseconds(50);
   lock.exec("LOCK TABLE coppice.messages IN ACCESS EXCLUSIVE MODE");
   Add(10);
-  options_.patience = std::chrono::milliseconds(50);
   Shipper shipper(*spool_, server_, options_);
-  EXPECT_TRUE(Eventually([&] {
-    shipper.Watch();
-    return !shipper.Look().problem.empty();
-  }));
+  EXPECT_TRUE(GivesUp(shipper));
   lock.abort();
   EXPECT_TRUE(IsEmptySoon());
   EXPECT_EQ(Rows("number").size(), 10u);
@@ -238,18 +245,13 @@ TEST_F(ShipperTest, GivesUpWaitingForAnAnswerThatDoesNotCome) {
 
 // Who makes the tables waits for others that do; a server that hangs looks the same.
 TEST_F(ShipperTest, GivesUpWaitingForAServerThatHangsAtTheFirstQuestion) {
-  ServerConfig config = postgres_->owner();
-  config.database = "robots";
-  pqxx::connection other(ConnectionText(config));
+  pqxx::connection other = OtherSession();
   pqxx::work lock(other);
+  options_.patience = std::chrono::milliseconds(50);
   lock.exec("SELECT pg_advisory_xact_lock(1131376752)");
   Add(10);
-  options_.patience = std::chrono::milliseconds(50);
   auto shipper = std::make_unique<Shipper>(*spool_, server_, options_);
-  EXPECT_TRUE(Eventually([&] {
-    shipper->Watch();
-    return !shipper->Look().problem.empty();
-  }));
+  EXPECT_TRUE(GivesUp(*shipper));
   shipper.reset();  // ends, though nobody looks any more whether it waits
   lock.abort();
   const Shipper next(*spool_, server_, options_);
