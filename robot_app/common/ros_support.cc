@@ -197,6 +197,7 @@ std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& mes
     return std::nullopt;
   }
   LaserScan scan = ToLaserScan(message, *mount);
+  scan.stamp = BelievedStamp(message.header.stamp, ros::Time::now()).toSec();
   if (IsUsable(scan)) return scan;
   ROS_WARN_THROTTLE(10, "a scan is not used: %s", WhatTells(scan).c_str());
   return std::nullopt;

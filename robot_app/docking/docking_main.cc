@@ -95,7 +95,7 @@ class DockingNode {
         "/battery_state", 5, [this](const sensor_msgs::BatteryState::ConstPtr& message) {
           if (!IsOfNow(message->header, "/battery_state")) return;
           battery_ = ToBatteryReading(*message, {});
-          battery_stamp_ = message->header.stamp.toSec();
+          battery_stamp_ = BelievedStamp(message->header.stamp, ros::Time::now()).toSec();
         }));
     subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
         "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) {

@@ -67,7 +67,7 @@ class OdometryFilterNode {
  private:
   void OnWheels(const nav_msgs::Odometry& message) {
     if (!IsOfNow(message.header, "/odom")) return;
-    const double stamp = message.header.stamp.toSec();
+    const double stamp = BelievedStamp(message.header.stamp, ros::Time::now()).toSec();
     if (!IsValid(message.pose.pose) ||
         !filter_.AddWheels(stamp, ToPose2D(message.pose.pose),
                            {message.twist.twist.linear.x, message.twist.twist.angular.z})) {
@@ -80,7 +80,8 @@ class OdometryFilterNode {
 
   void OnImu(const sensor_msgs::Imu& message) {
     if (!IsOfNow(message.header, "/imu/data")) return;
-    if (filter_.AddYawRate(message.header.stamp.toSec(), message.angular_velocity.z,
+    const double stamp = BelievedStamp(message.header.stamp, ros::Time::now()).toSec();
+    if (filter_.AddYawRate(stamp, message.angular_velocity.z,
                            message.angular_velocity_covariance[8])) {
       Publish();
     }

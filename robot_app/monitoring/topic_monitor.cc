@@ -9,6 +9,14 @@ namespace coppice::robot::monitoring {
 namespace {
 
 constexpr std::size_t kMostMessages = 20000;  // a limit for a publisher gone wild
+constexpr double kClockOff = 5;               // s; no transport takes so long
+
+// What is wrong with the time of a measurement; empty: nothing.
+std::string ProblemOfStamp(double stamp, Time now) {
+  const double age = InSeconds(now.time_since_epoch()) - stamp;
+  if (std::abs(age) <= kClockOff) return "";
+  return "its stamp is " + ToText(std::abs(age)) + (age > 0 ? " s old" : " s ahead");
+}
 
 }  // namespace
 
@@ -81,11 +89,15 @@ void TopicMonitor::OnMessage(const std::string& topic, const Times& now) {
 }
 
 void TopicMonitor::OnScan(const std::string& topic, const LaserScan& scan, const Times& now) {
-  OnContent(topic, Content::kLaserScan, IsUsable(scan) ? "" : WhatTells(scan), now);
+  const std::string problem =
+      IsUsable(scan) ? ProblemOfStamp(scan.stamp, now.ros) : WhatTells(scan);
+  OnContent(topic, Content::kLaserScan, problem, now);
 }
 
-void TopicMonitor::OnRange(const std::string& topic, float range, const Times& now) {
-  OnContent(topic, Content::kRange, std::isnan(range) ? "it tells no distance" : "", now);
+void TopicMonitor::OnRange(const std::string& topic, float range, double stamp, const Times& now) {
+  const bool is_blind = std::isnan(range);
+  const std::string problem = is_blind ? "it tells no distance" : ProblemOfStamp(stamp, now.ros);
+  OnContent(topic, Content::kRange, problem, now);
 }
 
 void TopicMonitor::OnContent(const std::string& topic, Content content, const std::string& problem,

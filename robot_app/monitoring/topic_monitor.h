@@ -55,10 +55,11 @@ class TopicMonitor : public Monitor {
   void Watch(const std::vector<TopicWatch>& topics);
   /// Topics that are not watched are ignored, and those of which the content is read.
   void OnMessage(const std::string& topic, const Times& now);
-  /// For the topics that are watched as scans.
+  /// For the topics that are watched as scans. One with a stamp that is seconds off counts as none:
+  /// nobody moves by it.
   void OnScan(const std::string& topic, const LaserScan& scan, const Times& now);
-  /// For the topics that are watched as ranges; not a number: the sensor is blind [m].
-  void OnRange(const std::string& topic, float range, const Times& now);
+  /// The same for the topics that are watched as ranges; not a number: the sensor is blind [m].
+  void OnRange(const std::string& topic, float range, double stamp, const Times& now);
   /// For the topics that are watched by statistics.
   void OnStatistics(const SubscriberStatistics& statistics, const Times& now);
   /// One finding per topic, value: rate in Hz. A topic whose publisher is being started is reset.

@@ -95,7 +95,8 @@ class Program {
         topic, kQueue, boost::function<void(const Event&)>([this, topic](const Event& event) {
           const Times now{FromRos(event.getReceiptTime()), MonitorNode::Now().wall};
           const std::lock_guard<std::mutex> lock(counting_);
-          topics_.OnRange(topic, event.getMessage()->range, now);
+          const sensor_msgs::Range& reading = *event.getMessage();
+          topics_.OnRange(topic, reading.range, reading.header.stamp.toSec(), now);
         }));
   }
 

@@ -138,7 +138,7 @@ class NavigationNode {
         "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
           if (!IsValid(message->pose.pose) || !IsOfNow(message->header, "/odom")) return;
           odometry_ = ToPose2D(message->pose.pose);
-          odometry_stamp_ = message->header.stamp.toSec();
+          odometry_stamp_ = BelievedStamp(message->header.stamp, ros::Time::now()).toSec();
         }));
   }
 

@@ -2,14 +2,16 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 namespace coppice::robot {
 namespace {
 
-constexpr double kAhead = 10;  // s
-constexpr double kOld = 60;    // s
+constexpr double kAhead = 10;      // s
+constexpr double kOld = 60;        // s
+constexpr double kBelieved = 0.5;  // s ahead
 constexpr std::uint32_t kSecond = 1'000'000'000;
 
 }  // namespace
@@ -26,6 +28,10 @@ Outcome CheckStamp(const ros::Time& stamp, const ros::Time& now) {
   std::snprintf(text, sizeof text, "its stamp is %.3g s %s", std::abs(age),
                 age < 0 ? "ahead of now" : "old");
   return Problem{text};
+}
+
+ros::Time BelievedStamp(const ros::Time& stamp, const ros::Time& now) {
+  return std::min(stamp, now + ros::Duration(kBelieved));
 }
 
 bool IsOfNow(const std_msgs::Header& header, const std::string& topic) {

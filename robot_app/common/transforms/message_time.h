@@ -23,6 +23,11 @@ Outcome CheckStamp(const ros::Time& stamp, const ros::Time& now);
 /// For the thread that spins.
 bool IsOfNow(const std_msgs::Header& header, const std::string& topic);
 
+/// What `stamp` counts as: nothing was measured in the future, so whatever is ahead of `now` is
+/// ahead by half a second at the most. Or a sensor whose clock is ahead would be believed to see
+/// for as long after it has fallen silent.
+ros::Time BelievedStamp(const ros::Time& stamp, const ros::Time& now);
+
 }  // namespace coppice::robot
 
 #endif  // COPPICE_ROBOT_APP_COMMON_TRANSFORMS_MESSAGE_TIME_H_

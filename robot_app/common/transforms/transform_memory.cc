@@ -39,7 +39,8 @@ void TransformMemory::StoreFixed(geometry_msgs::TransformStamped transform) {
   fixed_[transform.child_frame_id] = std::move(transform);
 }
 
-void TransformMemory::StoreMoving(const geometry_msgs::TransformStamped& transform) {
+void TransformMemory::StoreMoving(geometry_msgs::TransformStamped transform) {
+  transform.header.stamp = BelievedStamp(transform.header.stamp, newest_);
   if (!HasRoom(moving_frames_, transform)) ForgetTheSilent();
   if (!HasRoom(moving_frames_, transform)) {
     ++refused_;

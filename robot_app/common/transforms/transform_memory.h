@@ -2,10 +2,11 @@
 // robot that runs (transforms.h), or a record of it.
 //
 // tf2 believes every stamp. One in the far future makes all transforms that follow old ones, and
-// one that no difference of times can hold ends the program; so these are left out. And tf2 never
-// forgets a frame: who gives each person or box that he sees a frame of its own takes a kilobyte
-// for each, in every program that listens. So those that are not heard of any more are forgotten
-// when there are too many; what holds always stays.
+// one that no difference of times can hold ends the program; so these are left out, and one that
+// is ahead a little counts as of now, or the robot would stand where it said for so long. And tf2
+// never forgets a frame: who gives each person or box that he sees a frame of its own takes a
+// kilobyte for each, in every program that listens. So those that are not heard of any more are
+// forgotten when there are too many; what holds always stays.
 #ifndef COPPICE_ROBOT_APP_COMMON_TRANSFORMS_TRANSFORM_MEMORY_H_
 #define COPPICE_ROBOT_APP_COMMON_TRANSFORMS_TRANSFORM_MEMORY_H_
 
@@ -45,7 +46,7 @@ class TransformMemory {
   using Frames = std::unordered_map<std::string, ros::Time>;  // when each was heard of last
 
   void StoreFixed(geometry_msgs::TransformStamped transform);
-  void StoreMoving(const geometry_msgs::TransformStamped& transform);
+  void StoreMoving(geometry_msgs::TransformStamped transform);
   static bool HasRoom(const Frames& frames, const geometry_msgs::TransformStamped& transform);
   void ForgetTheSilent();
   void Renew();

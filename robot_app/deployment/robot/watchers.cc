@@ -82,9 +82,11 @@ void Watchers::FeedTopics(const Times& now) {
     for (Time at = Time(begin.time_since_epoch() / period * period + period); at <= now.ros;
          at += period) {
       if (watch.content == Content::kLaserScan) {
+        scan_.stamp = monitoring::InSeconds(at.time_since_epoch());
         topics_.OnScan(watch.topic, scan_, {at, at});
       } else if (watch.content == Content::kRange) {
-        topics_.OnRange(watch.topic, std::numeric_limits<float>::infinity(), {at, at});
+        topics_.OnRange(watch.topic, std::numeric_limits<float>::infinity(),
+                        monitoring::InSeconds(at.time_since_epoch()), {at, at});
       } else {
         topics_.OnMessage(watch.topic, {at, at});
       }

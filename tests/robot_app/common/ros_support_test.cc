@@ -190,5 +190,21 @@ TEST(RobotPose, IsLocalizationTimesOdometryAndAsOldAsTheOlder) {
   EXPECT_FALSE(robot.InMap(goal));
 }
 
+TEST(RobotPose, AScanIsBelievedToBeOfNowThoughTheClockOfTheScannerIsAhead) {
+  const RobotPose robot({"map", "odom", "base_link"});
+  tf2_ros::StaticTransformBroadcaster fixed;
+  fixed.sendTransform(Transform("base_link", "laser", {0.25, 0, 0}, ros::Time(1)));
+  ASSERT_TRUE(Eventually([&] { return robot.MountOf("laser").has_value(); }));
+  sensor_msgs::LaserScan message;
+  message.header.frame_id = "laser";
+  message.header.stamp = ros::Time::now() + ros::Duration(8);
+  message.angle_increment = 0.01F;
+  message.range_max = 25;
+  message.ranges.assign(100, 2);
+  const auto scan = robot.UsableScan(message);
+  ASSERT_TRUE(scan);
+  EXPECT_LT(scan->stamp, ros::Time::now().toSec() + 1);
+}
+
 }  // namespace
 }  // namespace coppice::robot

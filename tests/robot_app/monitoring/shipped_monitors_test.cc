@@ -190,8 +190,9 @@ class ShippedTopicsTest : public ShippedMonitorsTest {
     for (double now = 0; now < 60; now += 0.005) {
       if (rate > 0 && now >= next) {
         monitor.OnMessage(watch.topic, {At(now), At(now)});
+        scan.stamp = InSeconds(At(now).time_since_epoch());
         monitor.OnScan(watch.topic, scan, {At(now), At(now)});
-        monitor.OnRange(watch.topic, range, {At(now), At(now)});
+        monitor.OnRange(watch.topic, range, scan.stamp, {At(now), At(now)});
         next += 1 / rate;
       }
       const bool is_due = static_cast<int>(now * 200) % 100 == 0;

@@ -196,8 +196,8 @@ TEST_F(TopicMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
   EXPECT_EQ(Report(Time(seconds(102))).value, 10);
 }
 
-// The newest finding about scans that have come for two seconds.
-Finding AfterScans(float range) {
+// The newest finding about scans that have come for two seconds, each so old [s].
+Finding AfterScans(float range, double age = 0) {
   TopicWatch watch = Scan();
   watch.content = Content::kLaserScan;
   TopicMonitor monitor;
@@ -207,6 +207,7 @@ Finding AfterScans(float range) {
   Finding finding;
   for (int i = 0; i <= 20; ++i) {
     const Time now{seconds(100) + milliseconds(100) * i};
+    scan.stamp = 100 + 0.1 * i - age;
     monitor.OnScan("/scan", scan, {now, now});
     finding = monitor.Report({}, {now, now}).at(0);
   }
@@ -221,6 +222,30 @@ TEST(TopicMonitor, ScansInWhichNoBeamTellsAnythingAreNone) {
   EXPECT_EQ(finding.monitor, "topic");
   EXPECT_EQ(finding.node, "/scanner");
   EXPECT_EQ(finding.message, "no usable message for 2 s: 0 of 541 beams tell something");
+}
+
+// By a clock that stands elsewhere: navigation does not move by them.
+TEST(TopicMonitor, ScansOfAnotherTimeAreNone) {
+  const Finding old = AfterScans(3, 30);
+  EXPECT_EQ(old.level, HealthLevel::kError);
+  EXPECT_EQ(old.message, "no usable message for 2 s: its stamp is 30 s old");
+  EXPECT_EQ(AfterScans(3, -20).message, "no usable message for 2 s: its stamp is 20 s ahead");
+  EXPECT_EQ(AfterScans(3, 2).level, HealthLevel::kOk);
+}
+
+TEST(TopicMonitor, ASonarOfAnotherTimeIsNone) {
+  TopicWatch watch = Scan();
+  watch.content = Content::kRange;
+  TopicMonitor monitor;
+  monitor.Watch({watch});
+  for (const int second : {100, 102}) {
+    const Times now{Time(seconds(second)), Time(seconds(second))};
+    monitor.OnRange("/scan", 1, 0, now);
+    monitor.Report({}, now);
+  }
+  const Times now{Time(seconds(102)), Time(seconds(102))};
+  EXPECT_EQ(monitor.Report({}, now).at(0).message,
+            "no usable message for 2 s: its stamp is 102 s old");
 }
 
 TEST(TopicMonitor, OneBlindScanIsForgivenAndSaid) {
@@ -243,7 +268,7 @@ TEST(TopicMonitor, ASonarThatTellsNoDistanceIsNone) {
   Finding finding;
   for (int i = 0; i <= 20; ++i) {
     const Time now{seconds(100) + milliseconds(100) * i};
-    monitor.OnRange("/scan", NAN, {now, now});
+    monitor.OnRange("/scan", NAN, 100, {now, now});
     finding = monitor.Report({}, {now, now}).at(0);
   }
   EXPECT_EQ(finding.level, HealthLevel::kError);

@@ -28,6 +28,12 @@ TEST(MessageTime, IsRefusedFromElsewhere) {
   EXPECT_THAT(CheckStamp(last, kNow).problem(), HasSubstr("ahead"));
 }
 
+TEST(MessageTime, IsBelievedToBeHalfASecondAheadAtTheMost) {
+  EXPECT_EQ(BelievedStamp(ros::Time(940), kNow), ros::Time(940));
+  EXPECT_EQ(BelievedStamp(ros::Time(1000.25), kNow), ros::Time(1000.25));
+  EXPECT_EQ(BelievedStamp(ros::Time(1009), kNow), ros::Time(1000.5));
+}
+
 TEST(MessageTime, HasNoMoreNanosecondsThanASecond) {
   ros::Time wild = kNow;
   wild.nsec = 1'000'000'000;

@@ -76,6 +76,17 @@ tf2_msgs::TFMessage Frames(const std::string& prefix, std::size_t count, const r
   return message;
 }
 
+TEST(TransformMemory, OneThatIsAheadDoesNotHoldAgainstThoseThatFollow) {
+  TransformMemory memory;
+  memory.Store(Frames("robot_", 1, ros::Time(1009)), false, ros::Time(1000));
+  tf2_msgs::TFMessage next = Frames("robot_", 1, ros::Time(1001));
+  next.transforms[0].transform.translation.x = 2;
+  memory.Store(next, false, ros::Time(1001));
+  const auto newest = memory.Find("map", "robot_0", ros::Time());
+  ASSERT_TRUE(newest);
+  EXPECT_EQ(newest->transform.translation.x, 2);
+}
+
 TEST(TransformMemory, ThereIsRoomForAThousandFramesThatMove) {
   TransformMemory memory;
   const ros::Time now(1000);
