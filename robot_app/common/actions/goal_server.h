@@ -13,12 +13,13 @@
 #ifndef COPPICE_ROBOT_APP_COMMON_ACTIONS_GOAL_SERVER_H_
 #define COPPICE_ROBOT_APP_COMMON_ACTIONS_GOAL_SERVER_H_
 
-#include <actionlib/server/action_server.h>
 #include <ros/node_handle.h>
 
 #include <functional>
 #include <string>
 #include <utility>
+
+#include "robot_app/common/actions/patient_server.h"
 
 namespace coppice::robot {
 
@@ -37,7 +38,7 @@ class GoalServer {
         on_cancel_(std::move(on_cancel)),
         server_(
             std::move(node), name, [this](Handle goal) { OnGoal(goal); },
-            [this](Handle goal) { OnCancel(goal); }, false) {}
+            [this](Handle goal) { OnCancel(goal); }) {}
 
   /// Takes goals from now on.
   void Start() { server_.start(); }
@@ -58,7 +59,7 @@ class GoalServer {
   void Publish(const Feedback& feedback) { goal_.publishFeedback(feedback); }
 
  private:
-  using Handle = typename actionlib::ActionServer<ActionSpec>::GoalHandle;
+  using Handle = typename PatientServer<ActionSpec>::Handle;
 
   void OnGoal(Handle goal) {
     if (is_active()) goal_.setCanceled(Result(), "another goal has come");
@@ -73,7 +74,7 @@ class GoalServer {
 
   const std::function<void(const Goal&)> on_goal_;
   const std::function<void()> on_cancel_;
-  actionlib::ActionServer<ActionSpec> server_;
+  PatientServer<ActionSpec> server_;
   Handle goal_;  // the last one
 };
 

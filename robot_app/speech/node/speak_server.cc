@@ -40,7 +40,7 @@ SpeakServer::SpeakServer(ros::NodeHandle& node, Synthesize synthesize, SoundOutp
       spoken_now_(std::move(spoken_now)),
       server_(
           node, "/speak", [this](Server::GoalHandle goal) { OnGoal(std::move(goal)); },
-          [this](Server::GoalHandle goal) { OnCancel(std::move(goal)); }, false) {
+          [this](Server::GoalHandle goal) { OnCancel(std::move(goal)); }) {
   timer_ = node.createWallTimer(
       ros::WallDuration(kPeriod), [this](const ros::WallTimerEvent&) { Update(); }, false, false);
   server_.start();

@@ -2,7 +2,6 @@
 #ifndef COPPICE_ROBOT_APP_SPEECH_NODE_SPEAK_SERVER_H_
 #define COPPICE_ROBOT_APP_SPEECH_NODE_SPEAK_SERVER_H_
 
-#include <actionlib/server/action_server.h>
 #include <coppice_msgs/SpeakAction.h>
 #include <ros/node_handle.h>
 
@@ -10,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "robot_app/common/actions/patient_server.h"
 #include "robot_app/speech/mouth/mouth.h"
 
 namespace coppice::robot::speech {
@@ -27,7 +27,7 @@ class SpeakServer {
   std::string text() const { return mouth_.text(); }
 
  private:
-  using Server = actionlib::ActionServer<coppice_msgs::SpeakAction>;
+  using Server = PatientServer<coppice_msgs::SpeakAction>;
 
   void OnGoal(Server::GoalHandle goal);
   void OnCancel(Server::GoalHandle goal);

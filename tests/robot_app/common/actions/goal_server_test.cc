@@ -20,8 +20,10 @@ using actionlib_msgs::GoalStatus;
 // The server and a client by its topics, both in the thread of the test.
 class GoalServerTest : public testing::Test {
  protected:
-  GoalServerTest() {
+  // `remembers`: how long the server tells of goals that have ended [s].
+  explicit GoalServerTest(double remembers = 5) {
     node_.setCallbackQueue(&queue_);
+    node_.setParam("walk/status_list_timeout", remembers);
     server_.emplace(
         node_, "walk",
         [this](const move_base_msgs::MoveBaseGoal& goal) {
@@ -35,6 +37,10 @@ class GoalServerTest : public testing::Test {
     results_ = node_.subscribe<move_base_msgs::MoveBaseActionResult>(
         "walk/result", 10, [this](const move_base_msgs::MoveBaseActionResult::ConstPtr& result) {
           ends_[result->status.goal_id.id] = result->status.status;
+        });
+    states_ = node_.subscribe<actionlib_msgs::GoalStatusArray>(
+        "walk/status", 10, [this](const actionlib_msgs::GoalStatusArray::ConstPtr& state) {
+          told_of_ = state->status_list.size();
         });
     EXPECT_TRUE(Until([this] {
       return goals_.getNumSubscribers() > 0 && cancels_.getNumSubscribers() > 0 &&
@@ -67,9 +73,10 @@ class GoalServerTest : public testing::Test {
   ros::NodeHandle node_;
   std::vector<double> taken_;
   std::map<std::string, int> ends_;  // by the names of the goals
+  std::size_t told_of_ = 0;          // goals, last
   std::optional<GoalServer<move_base_msgs::MoveBaseAction>> server_;
   ros::Publisher goals_, cancels_;
-  ros::Subscriber results_;
+  ros::Subscriber results_, states_;
 };
 
 TEST_F(GoalServerTest, EndsAGoalAsItIsTold) {
@@ -112,6 +119,40 @@ TEST_F(GoalServerTest, OnlyTheActiveGoalIsCancelled) {
   cancels_.publish(id);
   EXPECT_TRUE(EndsAs("second", GoalStatus::PREEMPTED));
   EXPECT_FALSE(server_->is_active());
+}
+
+// By somebody whose clock is an hour ahead.
+TEST_F(GoalServerTest, TakesGoalsAfterACancellationOfTheFuture) {
+  actionlib_msgs::GoalID all;
+  all.stamp = ros::Time::now() + ros::Duration(3600);
+  Send("first", 1, ros::Time::now().toSec());
+  cancels_.publish(all);
+  ASSERT_TRUE(EndsAs("first", GoalStatus::PREEMPTED));
+  const std::size_t before = taken_.size();
+  int goals = 0;
+  EXPECT_TRUE(Until([&] {
+    move_base_msgs::MoveBaseActionGoal goal;
+    goal.goal_id.id = "later" + std::to_string(++goals);
+    goal.goal_id.stamp = ros::Time::now();
+    goals_.publish(goal);
+    return taken_.size() > before;
+  }));
+}
+
+class GoalServerThatForgetsTest : public GoalServerTest {
+ protected:
+  GoalServerThatForgetsTest() : GoalServerTest(0.1) {}
+};
+
+TEST_F(GoalServerThatForgetsTest, TellsNotForEverOfGoalsThatWereCancelledAndNeverCame) {
+  actionlib_msgs::GoalID unknown;
+  unknown.id = "of no time";
+  cancels_.publish(unknown);
+  unknown.id = "of the future";
+  unknown.stamp = ros::Time::now() + ros::Duration(3600);
+  cancels_.publish(unknown);
+  ASSERT_TRUE(Until([&] { return told_of_ == 2; }));
+  EXPECT_TRUE(Until([&] { return told_of_ == 0; }));
 }
 
 }  // namespace
