@@ -12,6 +12,10 @@
 // calls the goal lost, though the server works on it: such a goal is sent again, once. So is one
 // that nobody has taken within kTakenTimeout: it went to a server that hung, and to whoever was
 // started in its place nobody has told it. actionlib would wait for ever.
+//
+// What nobody wants any more must not be worked on: goals and cancellations go different ways, and
+// a goal may be overtaken by its cancellation. So a server that takes one that was cancelled is
+// told again, and one that does not take its goal is told that it is not to do so later.
 #ifndef COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 #define COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 
@@ -93,7 +97,11 @@ class ActionPort {
         const int number = number_;
         lock.unlock();
         handle_ = client_.sendGoal(goal, [this, number, now](typename Client::GoalHandle sent) {
-          if (sent.getCommState() == actionlib::CommState::DONE) End(number, now, sent);
+          if (sent.getCommState() == actionlib::CommState::DONE) {
+            End(number, now, sent);
+          } else if (sent.getCommState() == actionlib::CommState::ACTIVE && !IsWanted(number)) {
+            sent.cancel();
+          }
         });
       } else if ((now - since_).toSec() > kConnectTimeout) {
         lock.unlock();
@@ -105,6 +113,7 @@ class ActionPort {
       const int number = number_;
       lock.unlock();
       if (SendAgain(number)) return;
+      handle_.cancel();
       handle_.reset();
       Finish(number, {false, "action server \"" + name_ + "\" does not take the goal"});
     } else if (connected) {
@@ -120,6 +129,11 @@ class ActionPort {
   bool WaitsToBeTaken() {
     return !handle_.isExpired() &&
            handle_.getCommState() == actionlib::CommState::WAITING_FOR_GOAL_ACK;
+  }
+
+  bool IsWanted(int number) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return number == number_;
   }
 
   void End(int number, ros::WallTime sent, const typename Client::GoalHandle& goal) {

@@ -5,6 +5,9 @@
 #include <move_base_msgs/MoveBaseAction.h>
 
 #include <atomic>
+#include <mutex>
+#include <set>
+#include <string>
 
 #include "bt_core/testing/leaf_harness.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
@@ -74,11 +77,23 @@ class ForgetfulServer {
           if (goals_ == 0 || !takes_) status_.publish(actionlib_msgs::GoalStatusArray());
         })) {}
   int goals() const { return goals_; }
+  /// Of the goal that came last.
+  bool is_cancelled() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return cancelled_.count(last_) > 0;
+  }
 
  private:
-  void Cancel(const actionlib_msgs::GoalID& /*id*/) {}
+  void Cancel(const actionlib_msgs::GoalID& id) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    cancelled_.insert(id.id);
+  }
 
   void Take(const actionlib_msgs::GoalID& id) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      last_ = id.id;
+    }
     if (++goals_ <= forgets_ && !takes_) return;
     actionlib_msgs::GoalStatus taken;
     taken.goal_id = id;
@@ -96,6 +111,9 @@ class ForgetfulServer {
   const int forgets_;
   const bool takes_;
   std::atomic<int> goals_{0};
+  mutable std::mutex mutex_;
+  std::string last_;
+  std::set<std::string> cancelled_;
   ros::Publisher status_, feedback_, result_;
   ros::Subscriber cancel_, goal_;
   ros::WallTimer timer_;
@@ -128,6 +146,40 @@ TEST_F(RosNavigatorTest, FailsWhenNobodyTakesTheGoal) {
   EXPECT_TRUE(EndsWith(Status::kFailure, 20));
   EXPECT_EQ(harness_.message(), R"(action server "move_base" does not take the goal)");
   EXPECT_EQ(server.goals(), 2);
+  EXPECT_TRUE(Eventually([&] { return server.is_cancelled(); })) << "or it drives there later";
+}
+
+// It hears the cancellation of all goals while it knows of none.
+TEST_F(RosNavigatorTest, CancelsAGoalThatItsCancellationHasOvertaken) {
+  actionlib_msgs::GoalID goal;
+  std::atomic<bool> has_goal{false}, has_heard_cancel{false}, is_cancelled{false};
+  ros::Publisher status =
+      node_.advertise<actionlib_msgs::GoalStatusArray>("move_base/status", 10, true);
+  const ros::Publisher feedback =
+      node_.advertise<move_base_msgs::MoveBaseActionFeedback>("move_base/feedback", 1);
+  const ros::Publisher result =
+      node_.advertise<move_base_msgs::MoveBaseActionResult>("move_base/result", 1);
+  const ros::Subscriber goals = node_.subscribe<move_base_msgs::MoveBaseActionGoal>(
+      "move_base/goal", 10, [&](const move_base_msgs::MoveBaseActionGoalConstPtr& message) {
+        goal = message->goal_id;
+        has_goal = true;
+      });
+  const ros::Subscriber cancels = node_.subscribe<actionlib_msgs::GoalID>(
+      "move_base/cancel", 10, [&](const actionlib_msgs::GoalIDConstPtr& id) {
+        if (id->id.empty()) has_heard_cancel = true;
+        if (has_goal && id->id == goal.id) is_cancelled = true;
+      });
+  status.publish(actionlib_msgs::GoalStatusArray());
+  harness_.Tick();
+  ASSERT_TRUE(Eventually([&] { return has_goal.load(); }));
+  harness_.Halt();
+  ASSERT_TRUE(Eventually([&] { return has_heard_cancel.load(); }));
+  actionlib_msgs::GoalStatusArray taken;
+  taken.status_list.resize(1);
+  taken.status_list[0].goal_id = goal;
+  taken.status_list[0].status = actionlib_msgs::GoalStatus::ACTIVE;
+  status.publish(taken);
+  EXPECT_TRUE(Eventually([&] { return is_cancelled.load(); }));
 }
 
 TEST_F(RosNavigatorTest, CancelsTheGoalWhenHalted) {
