@@ -11,6 +11,7 @@ namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kDiagonal = 1.4142135623730951;
+constexpr std::size_t kLongestLine = 1000;  // cells; all together take the square of it
 
 /// The cells around a cell, the four straight ones first.
 constexpr Cell kAround[8] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
@@ -203,7 +204,7 @@ std::vector<Point2D> SmoothPath(const Costmap& costmap, const std::vector<Point2
   for (std::size_t from = 0; from + 1 < path.size();) {
     std::size_t to = from + 1;
     constexpr double kSlack = 1.005;  // the two ways of summing up costs differ a little
-    while (to + 1 < path.size() &&
+    while (to + 1 < path.size() && to - from < kLongestLine &&
            LineCost(costmap, path[from], path[to + 1]) <= kSlack * (along[to + 1] - along[from])) {
       ++to;
     }

@@ -33,7 +33,8 @@ struct Plan {
 Plan FindPath(const Costmap& costmap, Point2D start, Point2D goal, double leave_radius = 0.3);
 
 /// The same way with fewer corners: a stretch is replaced by a straight line where that is free
-/// and not dearer (string pulling on costs), then points are set every `spacing` metres.
+/// and not dearer (string pulling on costs), up to a thousand cells; then points are set every
+/// `spacing` metres.
 std::vector<Point2D> SmoothPath(const Costmap& costmap, const std::vector<Point2D>& path,
                                 double spacing = 0.05);
 

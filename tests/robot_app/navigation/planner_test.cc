@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <random>
 
 #include "tests/robot_app/navigation/test_floor.h"
@@ -104,6 +105,25 @@ TEST(Planner, NeitherPathNorSmoothedPathTouchesALethalCell) {
     }
   }
   EXPECT_GT(found, 20);
+}
+
+// Each longer line costs more to look at: without an end of it this took half a minute.
+TEST(Planner, SmoothsAWayOfHundredThousandCellsSoon) {
+  OccupancyGrid corridor;
+  corridor.frame = {0.05, 0, 0, 100'000, 20};
+  corridor.cells.assign(static_cast<std::size_t>(corridor.frame.size()), 0);
+  CostSettings settings;
+  settings.lethal_radius = 0.1;
+  settings.inflation_radius = 0.2;
+  Costmap costmap(settings);
+  costmap.Update(corridor);
+  std::vector<Point2D> path;
+  for (int x = 0; x < corridor.frame.width; ++x) path.push_back(corridor.frame.Center({x, 10}));
+  const auto begun = std::chrono::steady_clock::now();
+  const std::vector<Point2D> smooth = SmoothPath(costmap, path);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(10));
+  EXPECT_TRUE(PathIsFree(costmap, smooth, 0));
+  EXPECT_NEAR(PathLength(smooth), PathLength(path), 0.01);
 }
 
 TEST(Planner, SaysHowFarTheNearestFreePlaceIsWhenTheGoalIsBlocked) {
