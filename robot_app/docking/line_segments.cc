@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kFlattest = 8 * M_PI / 180;  // a surface at a smaller angle to the beam ends
 constexpr double kPrice = 20;                 // of a line, in squared standard deviations
+constexpr std::size_t kFinest = 2000;         // of a finer scan not all: cutting takes their square
 
 struct Echo {
   int beam = 0;
@@ -30,7 +31,8 @@ struct Line {
 
 std::vector<Echo> EchoesOf(const LaserScan& scan, double limit) {
   std::vector<Echo> echoes;
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+  const std::size_t every = std::max<std::size_t>(1, scan.ranges.size() / kFinest);
+  for (std::size_t i = 0; i < scan.ranges.size(); i += every) {
     if (!scan.Hit(i) || scan.ranges[i] > limit) continue;
     const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
     const double range = scan.ranges[i];
