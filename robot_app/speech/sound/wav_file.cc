@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "bt_core/base/diagnostic.h"
 #include "bt_core/base/read_file.h"
@@ -108,6 +110,11 @@ Expected<Sound> ParseWav(const std::string& bytes) {
 }
 
 Expected<Sound> ReadWav(const std::string& path) {
+  std::error_code error;  // told by who reads it
+  const auto status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    return Problem{path + ": expected a WAV file"};  // who has a pipe open may never write into it
+  }
   Diagnostics diagnostics;
   const auto bytes = ReadFile(path, diagnostics);
   if (!bytes) return Problem{ToString(diagnostics.all().front())};

@@ -1,6 +1,9 @@
 #include "robot_app/speech/sound/wav_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <random>
 
@@ -31,6 +34,15 @@ TEST(WavFile, AFileThatIsNoneIsAProblemWithItsName) {
   ASSERT_FALSE(missing);
   EXPECT_NE(missing.problem().find("no.wav"), std::string::npos);
   EXPECT_EQ(ParseWav("{\"error\": 1}").problem(), "expected a WAV file");
+}
+
+TEST(WavFile, NobodyIsWaitedForWhoHasAPipeOpenAndSaysNothing) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.Path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int writer = open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  EXPECT_EQ(ReadWav(pipe).problem(), pipe + ": expected a WAV file");
+  close(writer);
 }
 
 TEST(WavFile, NoOtherKindOfSoundIsRead) {
