@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "bt_core/base/command_line.h"
@@ -226,7 +227,8 @@ int RunMigrate(const Arguments& arguments) {
   const Options options = ParseOptions(MigrateCommand(), arguments);
   if (options.exit) return *options.exit;
   const std::string& folder = options.files.front();
-  if (!fs::is_directory(folder)) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
     std::cerr << folder << ": error: no such folder\n";
     return 2;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "bt_core/base/json.h"
@@ -276,7 +277,8 @@ bool WriteScenario(const Scenario& scenario, const std::string& file, const std:
   suite.tree_id = tree_id;
   suite.models_file = models_file;
   suite.scenarios = {scenario};
-  if (!std::filesystem::exists(file)) {
+  std::error_code error;  // told by who writes it
+  if (!std::filesystem::exists(file, error)) {
     return WriteFile(file, PrintScenarios(suite), diagnostics);
   }
   const std::optional<std::string> old = ReadFile(file, diagnostics, kLongestJson);

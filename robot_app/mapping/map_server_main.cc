@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "robot_app/common/ros_support.h"
 #include "robot_app/mapping/map_file.h"
@@ -43,7 +44,8 @@ int Run(const Settings& settings) {
   ros::NodeHandle node;
   const ros::Publisher publisher = node.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
   ros::Subscriber subscriber;
-  if (file != "none" && std::filesystem::exists(file)) {
+  std::error_code error;
+  if (file != "none" && std::filesystem::exists(file, error)) {
     Diagnostics diagnostics;
     const std::optional<OccupancyGrid> map = LoadMap(file, diagnostics);
     if (!map) return Fail(diagnostics.ToString());

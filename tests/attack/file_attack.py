@@ -386,6 +386,15 @@ class Places(FileAttack):
         self.assertTrue(os.path.exists(self.path("pipe")) and not os.path.isfile(
             self.path("pipe")))
 
+    def test_links_in_a_circle_and_names_without_end_are_no_files(self):
+        self.run_program("run", self.write("t.xml", TREE % ""), "--record", "r.coppice", "--quiet")
+        os.symlink("circle", self.path("circle"))
+        for name in ("circle", "a" * 5000):
+            self.run_program("migrate", name, codes=(2,))
+            self.run_program("replay", "r.coppice", "--scenario", "out.test.json", "--tree-file",
+                             name, codes=(2,))
+            self.run_program("replay", "r.coppice", "--scenario", name)
+
     def test_a_link_to_a_device_stays_a_link(self):
         os.symlink("/dev/full", self.path("link"))
         self.run_program("upgrade", "old.xml", "-o", "link", codes=(2,))

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <system_error>
 
 #include "bt_core/model/write_file.h"
 #include "bt_core/testing/scenario.h"
@@ -28,7 +29,8 @@ std::string FileBeside(const std::string& scenario_file) {
 
 // What the scenarios of a file name already.
 std::string NamedModels(const std::string& scenario_file) {
-  if (!std::filesystem::exists(scenario_file)) return {};
+  std::error_code error;
+  if (!std::filesystem::exists(scenario_file, error)) return {};
   Diagnostics ignored;  // whoever adds to the file says what is wrong with it
   const std::optional<ScenarioSuite> suite = LoadScenarios(scenario_file, ignored);
   return suite ? suite->models_file : std::string();

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "bt_core/analysis/play/scenario_models.h"
@@ -44,7 +45,8 @@ int MakeScenario(const Options& options, const Recording& run) {
     return 1;
   }
   const std::string tree_file = options.Get("--tree-file", recorded->tree_file);
-  if (!std::filesystem::exists(tree_file)) {
+  std::error_code error;
+  if (!std::filesystem::exists(tree_file, error)) {
     std::cerr << tree_file << ": there is no such file; --tree-file says where the tree lies\n";
     return 2;
   }

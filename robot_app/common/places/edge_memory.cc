@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <system_error>
 
 #include "robot_app/common/places/route.h"
 #include "robot_app/common/yaml_fields.h"
@@ -85,7 +86,8 @@ std::string EdgeMemory::ToText() const {
 }
 
 void EdgeMemory::Read(const std::string& path, Time now, Diagnostics& diagnostics) {
-  if (!std::filesystem::exists(path)) return;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return;
   YamlFields file = YamlFields::Load(path, diagnostics);
   for (YamlFields& fields : file.Maps("edges")) {
     const std::string name = fields.Text("edge").text;
