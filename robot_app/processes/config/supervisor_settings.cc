@@ -51,6 +51,11 @@ SupervisorSettings ReadSupervisorSettings(const std::vector<std::string>& argume
     settings.exit =
         RefuseOptions(SupervisorCommand(), "--set: expected NAME=VALUE, not \"" + text + "\"");
   }
+  for (const char* const name : {"--config", "--logs", "--state"}) {
+    if (!options.Has(name) || !options.Get(name).empty()) continue;
+    settings.exit = RefuseOptions(SupervisorCommand(), std::string(name) + ": expected a name");
+  }
+  if (settings.exit) return settings;
   settings.config = options.Get("--config");
   settings.port = static_cast<int>(options.Whole("--port", settings.port));
   settings.address = options.Get("--address");

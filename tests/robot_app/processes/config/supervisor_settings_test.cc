@@ -38,6 +38,9 @@ TEST(SupervisorSettingsTest, RefusesWhatMakesNoSense) {
   EXPECT_EQ(ReadSupervisorSettings({"--config", "x", "more"}, "/b").exit, 2);
   EXPECT_EQ(ReadSupervisorSettings({"--config", "x", "--set", "=1"}, "/b").exit, 2);
   EXPECT_EQ(ReadSupervisorSettings({"--config", "x", "--set"}, "/b").exit, 2);
+  EXPECT_EQ(ReadSupervisorSettings({"--config", ""}, "/b").exit, 2);
+  EXPECT_EQ(ReadSupervisorSettings({"--config", "x", "--logs", ""}, "/b").exit, 2);
+  EXPECT_EQ(ReadSupervisorSettings({"--config", "x", "--state", ""}, "/b").exit, 2);
 }
 
 }  // namespace
