@@ -49,7 +49,9 @@ DemoSettings ReadDemoSettings(const std::vector<std::string>& arguments) {
   settings.perception = options.Real("--speed", 5) <= 1;
   settings.programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   settings.source = Shipped(COPPICE_SOURCE_DIR);
-  settings.folder = std::filesystem::absolute(options.Get("--run", "runs/" + Timestamp()));
+  const std::string run = options.Get("--run", "runs/" + Timestamp());
+  if (run.empty()) settings.exit = RefuseOptions(DemoCommand(), "--run: expected a folder");
+  if (!run.empty()) settings.folder = std::filesystem::absolute(run);
   return settings;
 }
 

@@ -16,6 +16,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "robot_app/common/find_master.h"
+#include "robot_app/common/node_probe.h"
 #include "robot_app/common/service_call.h"
 #include "robot_app/processes/processes_view.h"
 
@@ -132,7 +133,13 @@ int Main(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(ProcessesCommand(), arguments);
   if (options.exit) return *options.exit;
   const double timeout = options.Real("--timeout", 5);
-  if (options.Has("--master")) setenv("ROS_MASTER_URI", options.Get("--master").c_str(), 1);
+  if (options.Has("--master")) {
+    const std::string uri = options.Get("--master");
+    if (!ParseUri(uri)) {  // roscpp ends the program for it
+      return RefuseOptions(ProcessesCommand(), "--master: expected http://HOST:PORT, not " + uri);
+    }
+    setenv("ROS_MASTER_URI", uri.c_str(), 1);
+  }
   setenv("ROS_MASTER_URI", "http://127.0.0.1:11311", 0);
 
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { g_stop = 1; });

@@ -40,6 +40,15 @@ TEST(OptionsOfPrograms, HelpIsNoErrorAndNonsenseIs) {
   }
 }
 
+TEST(OptionsOfPrograms, WhatIsNoMasterAndNoFolderIsRefused) {
+  for (const char* const master : {"robot:11311", "''"}) {
+    const Called processes = Call("coppice-processes", std::string("--master ") + master);
+    EXPECT_EQ(processes.status, 2) << processes.output;
+  }
+  const Called demo = Call("coppice-demo", "--run ''");
+  EXPECT_EQ(demo.status, 2) << demo.output;
+}
+
 TEST(OptionsOfPrograms, TheTreeOfTheApplicationCanBeNamed) {
   const Called robot =
       Call("coppice-robot", "--application a.xml --monitor b.xml --places c --tree Dock");
