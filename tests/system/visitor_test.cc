@@ -37,6 +37,10 @@ class VisitorStory : public testing::Test {
     options.name = "visitor";
     options.start = "15 0 3.1416";
     options.variables = {{"speed", "1"}, {"seed", "16"}, {"perception", "yes"}};
+    // Who is led is followed by the lidar; the cameras of people_test.cc would take a core.
+    options.edits = {{"robot.yaml",
+                      "\"${bin}/coppice-camera\"]\n    enabled: \"${perception:-yes}\"",
+                      "\"${bin}/coppice-camera\"]\n    enabled: no"}};
     return options;
   }
 

@@ -80,7 +80,9 @@ bool IsSolid(const StillScene& still, const std::vector<Figure>& figures, const 
   }
   for (const Figure& figure : figures) {
     for (const Pillar& part : figure.parts) {
-      const bool is_inside = Length(point.xy() - part.disc.center) <= part.disc.radius;
+      const Vec2 from = point.xy() - part.disc.center;
+      const double radius = part.disc.radius;
+      const bool is_inside = from.x * from.x + from.y * from.y <= radius * radius;
       if (is_inside && point.z >= part.bottom && point.z <= part.top) return true;
     }
   }
@@ -89,7 +91,7 @@ bool IsSolid(const StillScene& still, const std::vector<Figure>& figures, const 
 
 double March(const StillScene& still, const std::vector<Figure>& figures, const Vec3& origin,
              Vec2 direction, double slope) {
-  constexpr double kStep = 0.001;
+  constexpr double kStep = 0.002;
   double range = 0;
   while (range < 20) {
     const Vec2 at = origin.xy() + direction * range;

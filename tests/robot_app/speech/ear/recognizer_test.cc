@@ -95,25 +95,28 @@ class SmallFiles {
   rlimit before_{};
 };
 
-TEST_F(RecognizerTest, WithoutRoomForItsWordsItIsAProblemAndNoCrash) {
-  knowledge::SampleDatabase sample;
-  const auto& files = knowledge::ShippedLanguageFiles();
-  const auto names = knowledge::Names(*sample);
-  const auto& words = In(Language::kEnglish, files.words);
-  for (const rlim_t bytes : {0, 4096, 20'000, 60'000}) {
+// Of one intent, without names: what all that people may say takes seconds to make.
+class FewWords : public testing::Test {
+ protected:
+  Expected<std::unique_ptr<Recognizer>> Make() const {
+    const auto& words = In(Language::kEnglish, knowledge::ShippedLanguageFiles().words);
+    return Recognizer::Make(kEnglishModel, {intents_, words, {}});
+  }
+
+ private:
+  const knowledge::IntentTable intents_ = {knowledge::ShippedLanguageFiles().intents.back()};
+};
+
+TEST_F(FewWords, WithoutRoomForThemAreAProblemAndNoCrash) {
+  for (const rlim_t bytes : {0, 4096, 20'000}) {
     const SmallFiles full(bytes);
-    const auto made = Recognizer::Make(kEnglishModel, {files.intents, words, names});
-    EXPECT_EQ(made.problem(), "there is no room for the words of the site") << bytes;
+    EXPECT_EQ(Make().problem(), "there is no room for the words of the site") << bytes;
   }
 }
 
-TEST_F(RecognizerTest, WhereTemporaryFilesCannotBeItsWordsAreInMemory) {
-  knowledge::SampleDatabase sample;
-  const auto& files = knowledge::ShippedLanguageFiles();
-  const auto names = knowledge::Names(*sample);
-  const auto& words = In(Language::kEnglish, files.words);
+TEST_F(FewWords, WhereTemporaryFilesCannotBeAreInMemory) {
   setenv("TMPDIR", "/nowhere", 1);
-  const auto made = Recognizer::Make(kEnglishModel, {files.intents, words, names});
+  const auto made = Make();
   unsetenv("TMPDIR");
   EXPECT_TRUE(made) << made.problem();
 }
