@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace coppice::robot {
 
