@@ -1,5 +1,4 @@
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -10,6 +9,7 @@
 #include "bt_core/cli/test/test_report.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/model/project.h"
+#include "bt_core/model/write_file.h"
 #include "bt_core/testing/scenario.h"
 
 namespace coppice {
@@ -107,10 +107,9 @@ int RunTest(const Arguments& arguments) {
   }
   std::cout << (options.Has("--json") ? ReportJson(files) : ReportText(files));
   if (options.Has("--junit")) {
-    std::ofstream out(options.Get("--junit"));
-    out << ReportJUnit(files);
-    if (!out.flush()) {
-      std::cerr << options.Get("--junit") << ": cannot be written\n";
+    Diagnostics diagnostics;
+    if (!WriteFile(options.Get("--junit"), ReportJUnit(files), diagnostics)) {
+      std::cerr << diagnostics.ToString();
       return 2;
     }
   }

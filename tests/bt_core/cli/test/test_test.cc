@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include "tests/bt_core/cli/fixture.h"
 
 namespace coppice {
@@ -87,6 +89,9 @@ TEST_F(TestVerb, WritesJsonAndJUnit) {
   EXPECT_EQ(out_.rfind(R"({"passed":true,)", 0), 0U);
   EXPECT_TRUE(std::filesystem::file_size(junit) > 100);
   EXPECT_EQ(Run(RunTest, {file, "--junit", "/nowhere/out.xml"}), 2);
+  const std::string pipe = (folder_ / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(Run(RunTest, {file, "--junit", pipe}), 2) << "nobody reads it";
 }
 
 }  // namespace
