@@ -186,7 +186,8 @@ std::optional<Pose2D> RobotPose::MountOf(const std::string& frame) const {
 }
 
 std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& message) const {
-  if (!IsOfNow(message.header, "/scan")) return std::nullopt;
+  const auto stamp = StampOfNow(message.header, "/scan");
+  if (!stamp) return std::nullopt;
   if (message.ranges.size() > kMostBeams) {  // not even to be copied
     ROS_WARN_THROTTLE(10, "a scan is not used: it has %zu beams", message.ranges.size());
     return std::nullopt;
@@ -197,7 +198,7 @@ std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& mes
     return std::nullopt;
   }
   LaserScan scan = ToLaserScan(message, *mount);
-  scan.stamp = BelievedStamp(message.header.stamp, ros::Time::now()).toSec();
+  scan.stamp = *stamp;
   if (IsUsable(scan)) return scan;
   ROS_WARN_THROTTLE(10, "a scan is not used: %s", WhatTells(scan).c_str());
   return std::nullopt;

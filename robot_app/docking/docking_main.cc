@@ -93,9 +93,10 @@ class DockingNode {
     path_ = node_.advertise<nav_msgs::Path>("/docking/path", 1);
     subscribers_.push_back(node_.subscribe<sensor_msgs::BatteryState>(
         "/battery_state", 5, [this](const sensor_msgs::BatteryState::ConstPtr& message) {
-          if (!IsOfNow(message->header, "/battery_state")) return;
+          const auto stamp = StampOfNow(message->header, "/battery_state");
+          if (!stamp) return;
           battery_ = ToBatteryReading(*message, {});
-          battery_stamp_ = BelievedStamp(message->header.stamp, ros::Time::now()).toSec();
+          battery_stamp_ = *stamp;
         }));
     subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
         "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) {

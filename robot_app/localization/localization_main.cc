@@ -109,9 +109,9 @@ class LocalizationNode {
     On<nav_msgs::OccupancyGrid>("/map", 1,
                                 [this](const nav_msgs::OccupancyGrid& message) { OnMap(message); });
     On<nav_msgs::Odometry>("/odometry/filtered", 30, [this](const nav_msgs::Odometry& message) {
-      if (!IsValid(message.pose.pose)) return;
-      if (!IsOfNow(message.header, "/odometry/filtered")) return;
-      localizer_.AddOdometry(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
+      const auto stamp = StampOfNow(message.header, "/odometry/filtered");
+      if (!stamp || !IsValid(message.pose.pose)) return;
+      localizer_.AddOdometry(*stamp, ToPose2D(message.pose.pose));
       PublishPose();
     });
     On<sensor_msgs::LaserScan>("/scan", 2, [this](const sensor_msgs::LaserScan& message) {

@@ -66,23 +66,22 @@ class OdometryFilterNode {
 
  private:
   void OnWheels(const nav_msgs::Odometry& message) {
-    if (!IsOfNow(message.header, "/odom")) return;
-    const double stamp = BelievedStamp(message.header.stamp, ros::Time::now()).toSec();
+    const auto stamp = StampOfNow(message.header, "/odom");
+    if (!stamp) return;
     if (!IsValid(message.pose.pose) ||
-        !filter_.AddWheels(stamp, ToPose2D(message.pose.pose),
+        !filter_.AddWheels(*stamp, ToPose2D(message.pose.pose),
                            {message.twist.twist.linear.x, message.twist.twist.angular.z})) {
       ROS_WARN_THROTTLE(10, "a report of the wheels is not used: it cannot be");
       return;
     }
-    if (stamp < next_ - 2 / settings_.frequency) next_ = stamp;  // time was set back
+    if (*stamp < next_ - 2 / settings_.frequency) next_ = *stamp;  // time was set back
     Publish();
   }
 
   void OnImu(const sensor_msgs::Imu& message) {
-    if (!IsOfNow(message.header, "/imu/data")) return;
-    const double stamp = BelievedStamp(message.header.stamp, ros::Time::now()).toSec();
-    if (filter_.AddYawRate(stamp, message.angular_velocity.z,
-                           message.angular_velocity_covariance[8])) {
+    const auto stamp = StampOfNow(message.header, "/imu/data");
+    if (stamp && filter_.AddYawRate(*stamp, message.angular_velocity.z,
+                                    message.angular_velocity_covariance[8])) {
       Publish();
     }
   }

@@ -104,8 +104,9 @@ class MappingNode {
 
  private:
   void OnOdometry(const nav_msgs::Odometry& message) {
-    if (!IsValid(message.pose.pose) || !IsOfNow(message.header, "/odometry/filtered")) return;
-    mapper_.AddOdometry(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
+    const auto stamp = StampOfNow(message.header, "/odometry/filtered");
+    if (!stamp || !IsValid(message.pose.pose)) return;
+    mapper_.AddOdometry(*stamp, ToPose2D(message.pose.pose));
     PublishTransform();
   }
 

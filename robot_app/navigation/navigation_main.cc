@@ -136,9 +136,10 @@ class NavigationNode {
         [this](const std_msgs::Float64::ConstPtr& message) { OnSpeedLimit(message->data); }));
     subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
         "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
-          if (!IsValid(message->pose.pose) || !IsOfNow(message->header, "/odom")) return;
+          const auto stamp = StampOfNow(message->header, "/odom");
+          if (!stamp || !IsValid(message->pose.pose)) return;
           odometry_ = ToPose2D(message->pose.pose);
-          odometry_stamp_ = BelievedStamp(message->header.stamp, ros::Time::now()).toSec();
+          odometry_stamp_ = *stamp;
         }));
   }
 

@@ -123,7 +123,7 @@ class SlamNode {
         [this](const nav_msgs::Odometry::ConstPtr& message) { OnOdometry(*message); });
     clouds_subscriber_ = node_.subscribe<sensor_msgs::PointCloud2>(
         "/velodyne_points", 2, [this](const sensor_msgs::PointCloud2::ConstPtr& message) {
-          if (IsOfNow(message->header, "/velodyne_points")) cloud_ = message;
+          if (StampOfNow(message->header, "/velodyne_points")) cloud_ = message;
         });
     using Service = std_srvs::Trigger;
     save_ = node_.advertiseService("/slam/save",
@@ -156,9 +156,9 @@ class SlamNode {
   std::size_t key_frames() const { return mapper_.graph().poses().size(); }
 
   void OnOdometry(const nav_msgs::Odometry& message) {
-    if (!IsValid(message.pose.pose) || !IsOfNow(message.header, "/odometry/filtered")) return;
-    const double stamp = message.header.stamp.toSec();
-    history_.Add(stamp, robot::ToPose2D(message.pose.pose));
+    const auto stamp = StampOfNow(message.header, "/odometry/filtered");
+    if (!stamp || !IsValid(message.pose.pose)) return;
+    history_.Add(*stamp, robot::ToPose2D(message.pose.pose));
     if (frame_ != history_.frame()) BeginAnew(", again");
     if (cloud_) UseCloud();
     if (key_frames() == first_of_session_) return;

@@ -34,12 +34,13 @@ ros::Time BelievedStamp(const ros::Time& stamp, const ros::Time& now) {
   return std::min(stamp, now + ros::Duration(kBelieved));
 }
 
-bool IsOfNow(const std_msgs::Header& header, const std::string& topic) {
-  const Outcome checked = CheckStamp(header.stamp, ros::Time::now());
-  if (checked) return true;
+std::optional<double> StampOfNow(const std_msgs::Header& header, const std::string& topic) {
+  const ros::Time now = ros::Time::now();
+  const Outcome checked = CheckStamp(header.stamp, now);
+  if (checked) return BelievedStamp(header.stamp, now).toSec();
   ROS_WARN_THROTTLE(10, "a message on %s is not used: %s", topic.c_str(),
                     checked.problem().c_str());
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace coppice::robot

@@ -7,6 +7,7 @@
 #include <ros/time.h>
 #include <std_msgs/Header.h>
 
+#include <optional>
 #include <string>
 
 #include "bt_core/base/outcome.h"
@@ -19,14 +20,14 @@ bool IsOfTheFuture(const ros::Time& stamp, const ros::Time& now);
 /// A problem if it is of the future, or more than 60 s old.
 Outcome CheckStamp(const ros::Time& stamp, const ros::Time& now);
 
-/// The same for a message that has just come on a topic; false: a warning was given, now and then.
-/// For the thread that spins.
-bool IsOfNow(const std_msgs::Header& header, const std::string& topic);
-
 /// What `stamp` counts as: nothing was measured in the future, so whatever is ahead of `now` is
 /// ahead by half a second at the most. Or a sensor whose clock is ahead would be believed to see
 /// for as long after it has fallen silent.
 ros::Time BelievedStamp(const ros::Time& stamp, const ros::Time& now);
+
+/// What the stamp of a message counts as that has just come on a topic [s]; nothing if CheckStamp
+/// has a problem with it: a warning was given, now and then. For the thread that spins.
+std::optional<double> StampOfNow(const std_msgs::Header& header, const std::string& topic);
 
 }  // namespace coppice::robot
 

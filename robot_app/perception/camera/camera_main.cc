@@ -127,7 +127,7 @@ class CameraNode {
           node_.subscribe<PointCloud2>("/velodyne_points", 1,
                                        boost::function<void(const PointCloud2::ConstPtr&)>(
                                            [this](const PointCloud2::ConstPtr& cloud) {
-                                             if (!IsOfNow(cloud->header, "/velodyne_points"))
+                                             if (!StampOfNow(cloud->header, "/velodyne_points"))
                                                return;
                                              cloud_ = cloud;
                                              last_cloud_ = ros::WallTime::now();
