@@ -1,5 +1,6 @@
 #include "bt_core/analysis/load_recording.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -101,16 +102,24 @@ class Loader {
 
 }  // namespace
 
+std::size_t MostRunBytes(const RecordReader& record) {
+  constexpr std::uint64_t kOfAny = std::uint64_t{128} << 20;
+  constexpr std::uint64_t kTimesItsFiles = 256;
+  constexpr std::uint64_t kRest = kMostRunBytes - kOfAny;
+  return kOfAny + kTimesItsFiles * std::min(record.size(), kRest / kTimesItsFiles);
+}
+
 std::optional<Recording> LoadRecording(const std::string& path, Diagnostics& diagnostics,
-                                       std::size_t most_bytes) {
+                                       std::optional<std::size_t> most_bytes) {
   const std::unique_ptr<RecordReader> record = RecordReader::Open(path, diagnostics);
   if (!record) return std::nullopt;
   Recording run;
-  const auto damages = Loader(*record, run, most_bytes).Load();
+  const std::size_t most = most_bytes.value_or(MostRunBytes(*record));
+  const auto damages = Loader(*record, run, most).Load();
   if (!damages) {
-    diagnostics.Error(
-        {path}, "the run takes more than " + std::to_string(most_bytes >> 20) + " MiB of memory",
-        "--memory allows more");
+    diagnostics.Error({path},
+                      "the run takes more than " + std::to_string(most >> 20) + " MiB of memory",
+                      "--memory allows more");
     return std::nullopt;
   }
   for (const RecordDamage& damage : *damages) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -98,6 +99,10 @@ bool RecordReader::OpenNext() {
   offset_ = kPreambleSize;
   continues_ = false;
   return true;
+}
+
+std::uint64_t RecordReader::size() const {
+  return std::accumulate(sizes_.begin(), sizes_.end(), std::uint64_t{0});
 }
 
 // True if there was something new.

@@ -54,6 +54,8 @@ class RecordReader {
   const std::vector<TreeDescription>& trees() const { return trees_; }
 
   const std::vector<std::string>& files() const { return files_; }
+  /// Of all files, as far as they are whole [bytes].
+  std::uint64_t size() const;
   /// In the order of files and offsets. There is at least one.
   const std::vector<RecordKeyframe>& keyframes() const { return keyframes_; }
 

@@ -48,6 +48,10 @@ double RecordSource::progress() const {
   return static_cast<double>(done) / static_cast<double>(all);
 }
 
+std::size_t RecordSource::most_bytes() const {
+  return record_ ? MostRunBytes(*record_) : kMostRunBytes;
+}
+
 void RecordSource::Send(LiveCommand, LiveClient::ReplyHandler on_reply) {
   if (on_reply) on_reply(Problem{"this is a record: nothing can be changed in it"});
 }

@@ -3,6 +3,7 @@
 #ifndef COPPICE_EDITOR_LIVE_RECORD_SOURCE_H_
 #define COPPICE_EDITOR_LIVE_RECORD_SOURCE_H_
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,6 +32,8 @@ class RecordSource final : public RunSource {
   void Refresh() override;
   void HangUp(const std::string& /*why*/) override { is_cut_ = is_done_ = was_done_ = true; }
   double progress() const override;
+  /// By the size of its files.
+  std::size_t most_bytes() const override;
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override;
 
  private:

@@ -3,8 +3,10 @@
 #ifndef COPPICE_EDITOR_LIVE_RUN_SOURCE_H_
 #define COPPICE_EDITOR_LIVE_RUN_SOURCE_H_
 
+#include <cstddef>
 #include <string>
 
+#include "bt_core/analysis/load_recording.h"
 #include "bt_core/live/client/client.h"
 
 namespace coppice::editor {
@@ -31,6 +33,8 @@ class RunSource {
   virtual bool may_grow() const { return false; }
   /// Of a file: the part that was handed over, in [0, 1].
   virtual double progress() const { return 1; }
+  /// That its run may take in memory, about [bytes]; then it is followed, or read, no further.
+  virtual std::size_t most_bytes() const { return kMostRunBytes; }
 
   /// Nothing more is wanted but what has come until now. Of a robot, `why` becomes the problem of
   /// the connection.

@@ -69,7 +69,8 @@ void RunView::Update(const HookList& hooks, double now) {
 // A robot may say more than there is memory for, in a second or in many days, and a record may hold
 // more in some kilobytes.
 void RunView::LeaveIfTooLong() {
-  if (is_left_ || source_->is_simulation() || run_.bytes() <= most_bytes_) return;
+  if (is_left_ || source_->is_simulation()) return;
+  if (run_.bytes() <= most_bytes_.value_or(source_->most_bytes())) return;
   is_left_ = true;
   source_->HangUp("this run takes all the memory that one may take; connect again to go on");
   if (source_->is_robot()) return source_->Pump(*this);

@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,11 +39,9 @@ const char* ToString(RunPhase phase);
 
 class RunView final : private LiveListener {
  public:
-  /// That a run of a robot or a record may take; then it is followed, or read, no further.
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-
   RunView(std::unique_ptr<RunSource> source, std::shared_ptr<const NodeModels> known);
 
+  /// In the place of what its source says.
   void set_most_bytes(std::size_t bytes) { most_bytes_ = bytes; }
 
   /// Takes in what has come, and moves the playhead; `now` in seconds of the editor.
@@ -110,7 +109,7 @@ class RunView final : private LiveListener {
   LiveConnection connection_;
   bool was_live_ = false;
   bool is_left_ = false;
-  std::size_t most_bytes_ = kMostBytes;
+  std::optional<std::size_t> most_bytes_;
   bool was_loading_ = true;
   Run run_;
   RunPlace place_{run_};

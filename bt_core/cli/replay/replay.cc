@@ -138,11 +138,13 @@ int CompareFiles(const Recording& first, const Recording& second, bool is_json) 
 
 CommandOption MemoryOption() {
   return CommandOption::Whole("--memory", "MIB", 1, 1 << 20,
-                              "that a run may take, about; else 1024");
+                              "that a run may take, about; else 128 and 256 times its files,\n"
+                              "at most 1024");
 }
 
-std::size_t MemoryOf(const Options& options) {
-  return static_cast<std::size_t>(options.Whole("--memory", kMostRunBytes >> 20)) << 20;
+std::optional<std::size_t> MemoryOf(const Options& options) {
+  if (!options.Has("--memory")) return std::nullopt;
+  return static_cast<std::size_t>(options.Whole("--memory", 0)) << 20;
 }
 
 const Command& ReplayCommand() {

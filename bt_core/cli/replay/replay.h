@@ -3,6 +3,7 @@
 #define COPPICE_BT_CORE_CLI_REPLAY_REPLAY_H_
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ const Command& ConvertCommand();
 
 /// Of the three: what a run may take, and that in bytes.
 CommandOption MemoryOption();
-std::size_t MemoryOf(const Options& options);
+std::optional<std::size_t> MemoryOf(const Options& options);
 
 /// `coppice replay FILE`: in a terminal, a view to go back and forth in the run; else everything
 /// that happened, tick by tick. With --at, --tick, --why, --why-not, --verify or --diff the answer

@@ -64,6 +64,13 @@ TEST_F(RecordSourceTest, TellsARecordToTheEnd) {
   EXPECT_TRUE(view.run().recording().is_closed());
 }
 
+TEST_F(RecordSourceTest, AShortRecordMayNotTakeAllTheMemoryOfARun) {
+  Record(1000);
+  const auto source = RecordSource::Open(path_, diagnostics_);
+  ASSERT_NE(source, nullptr) << diagnostics_.ToString();
+  EXPECT_LT(source->most_bytes(), kMostRunBytes / 4);
+}
+
 TEST_F(RecordSourceTest, FollowsARecordThatGrows) {
   EventStream stream(robot_.executor);
   Recorder recorder(stream, path_);
