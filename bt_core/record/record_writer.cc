@@ -25,6 +25,7 @@ RecordWriter::RecordWriter(const std::string& path, const RecorderOptions& optio
       max_file_bytes_(options.max_file_bytes),
       flush_period_(options.flush_period),
       sync_period_(options.sync_period),
+      deletion_told_(options.deletion_told),
       encoder_(std::move(history), *this),
       series_(path, options.keep_files),
       synced_(std::chrono::steady_clock::now()) {
@@ -105,7 +106,8 @@ std::string RecordWriter::error() const {
 
 std::string RecordWriter::trouble() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return trouble_;
+  if (!trouble_.empty()) return trouble_;
+  return std::chrono::steady_clock::now() - deleted_ < deletion_told_ ? deletion_ : "";
 }
 
 void RecordWriter::Run() {
@@ -161,7 +163,7 @@ bool RecordWriter::WriteFront() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_ -= size - piece.bytes.size();
-    if (written) trouble_.clear();
+    if (written && !series_.is_deleted()) trouble_.clear();  // else it is lost all the same
     hurry_ = false;  // what did not work is tried again after a while
   }
   if (!piece.bytes.empty()) return false;
@@ -172,11 +174,15 @@ bool RecordWriter::WriteFront() {
 void RecordWriter::SyncIfDue(bool now) {
   const auto time = std::chrono::steady_clock::now();
   if (!unsynced_ || (!now && time - synced_ < sync_period_)) return;
-  Report(series_.Sync());
+  const Outcome synced = series_.Sync();
   synced_ = time;
   unsynced_ = false;
   const std::lock_guard<std::mutex> lock(mutex_);
   is_deleted_ = series_.is_deleted();
+  if (synced) return;
+  error_ = synced.problem();
+  (is_deleted_ ? deletion_ : trouble_) = error_;
+  if (is_deleted_) deleted_ = time;
 }
 
 void RecordWriter::Report(const Outcome& outcome) {

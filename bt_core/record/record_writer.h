@@ -41,7 +41,7 @@ class RecordWriter final : private FrameSink {
   std::uint64_t flushed_tick() const { return flushed_tick_.load(std::memory_order_acquire); }
   /// Any thread: what went wrong last, or empty.
   std::string error() const;
-  /// Any thread: why it cannot write now, or empty.
+  /// Any thread: as Recorder.
   std::string trouble() const;
 
  private:
@@ -71,6 +71,7 @@ class RecordWriter final : private FrameSink {
   const std::uint64_t max_file_bytes_;
   const Duration flush_period_;
   const Duration sync_period_;
+  const Duration deletion_told_;
 
   std::atomic<std::uint64_t> lost_ticks_{0};
   std::atomic<std::uint64_t> flushed_tick_{0};
@@ -87,6 +88,8 @@ class RecordWriter final : private FrameSink {
   bool is_deleted_ = false;        // the present file
   std::string error_;
   std::string trouble_;
+  std::string deletion_;  // of a file of this record, the last
+  std::chrono::steady_clock::time_point deleted_;
 
   // Of the thread.
   RecordSeries series_;

@@ -40,6 +40,8 @@ struct RecorderOptions {
   Duration flush_period = std::chrono::milliseconds(50);
   /// Events reach the disk at least this often.
   Duration sync_period = std::chrono::seconds(1);
+  /// So long trouble() tells of a file that somebody has deleted.
+  Duration deletion_told = std::chrono::minutes(1);
   /// A file that is as long as this is closed, and the record goes on in another: run.coppice,
   /// run.2.coppice, run.3.coppice... Each can be read alone. 0: one file of any length.
   std::uint64_t max_file_bytes = 0;
@@ -70,7 +72,8 @@ class Recorder final : public EventListener {
   std::uint64_t flushed_tick() const;
   /// Any thread: what went wrong last, or empty.
   std::string error() const;
-  /// Any thread: why it cannot write now, or empty. It tries again and again.
+  /// Any thread: why it cannot write now, or that its file was deleted a while ago, or empty. It
+  /// tries again and again.
   std::string trouble() const;
 
   void OnState(const StreamState& state) override;

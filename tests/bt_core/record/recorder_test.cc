@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <random>
 #include <thread>
 
@@ -32,6 +33,7 @@ class RecorderTest : public ::testing::Test {
 
   std::string path() const { return folder_.Path("run.coppice"); }
   void Tick() { TickAtRandom(random_, script_, clock_, executor_); }
+  std::string TroubleAfterDeletion(Duration deletion_told);
 
   const TemporaryFolder folder_;
   std::mt19937 random_{11};
@@ -256,6 +258,55 @@ TEST_F(RecorderTest, BeginsAnotherFileWhenItsFolderIsDeleted) {
   EXPECT_TRUE(record.closed);
   ASSERT_FALSE(record.ticks.empty());
   EXPECT_EQ(record.ticks.back(), kept_.ticks.back());
+}
+
+// Records, deletes the file, and goes on until the record does so, too; then asks for troubles.
+std::string RecorderTest::TroubleAfterDeletion(Duration deletion_told) {
+  RecorderOptions options;
+  options.flush_period = 1ms;
+  options.sync_period = 0ms;
+  options.deletion_told = deletion_told;
+  Recorder recorder(stream_, path(), options);
+  Tick();
+  std::filesystem::remove(path());
+  const auto deadline = std::chrono::steady_clock::now() + 30s;
+  const auto tick_until = [&](const std::function<bool()>& holds) {
+    while (!holds() && std::chrono::steady_clock::now() < deadline) Tick();
+  };
+  tick_until([&] { return std::filesystem::exists(folder_.Path("run.2.coppice")); });
+  const std::uint64_t now = executor_.ticks();
+  tick_until([&] { return recorder.flushed_tick() > now; });
+  return recorder.trouble();
+}
+
+// Who asks once a second must hear of it, though it is over within milliseconds.
+TEST_F(RecorderTest, TellsForAWhileThatItsFileWasDeleted) {
+  EXPECT_THAT(TroubleAfterDeletion(1h), HasSubstr("run.coppice: somebody has deleted this record"));
+}
+
+TEST_F(RecorderTest, TellsNotForEverThatItsFileWasDeleted) {
+  EXPECT_EQ(TroubleAfterDeletion(0s), "");
+}
+
+// What is written into a file without a name is lost, whatever the kernel says.
+TEST_F(RecorderTest, SaysWhyItCannotGoOnInAnotherFile) {
+  const std::string folder = folder_.Path("records");
+  std::filesystem::create_directory(folder);
+  RecorderOptions options;
+  options.flush_period = 1ms;
+  options.sync_period = 0ms;
+  Recorder recorder(stream_, folder + "/run.coppice", options);
+  Tick();
+  std::filesystem::remove_all(folder);
+  WriteFile(folder, "no folder");
+  const auto says_why = [&] {
+    return recorder.trouble().find("run.2.coppice: cannot make this record") != std::string::npos;
+  };
+  const auto deadline = std::chrono::steady_clock::now() + 30s;
+  while (!says_why() && std::chrono::steady_clock::now() < deadline) Tick();
+  const std::uint64_t now = executor_.ticks();
+  while (recorder.flushed_tick() <= now && std::chrono::steady_clock::now() < deadline) Tick();
+  EXPECT_THAT(recorder.trouble(), HasSubstr("cannot make this record"));
 }
 
 TEST_F(RecorderTest, ThrowsRatherThanOverwriting) {

@@ -4,6 +4,7 @@
 #include <std_msgs/Empty.h>
 #include <std_msgs/String.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -20,6 +21,11 @@ using testing::HasSubstr;
 constexpr char kTrees[] = R"(<root BTCPP_format="4" main_tree_to_execute="Long">
   <BehaviorTree ID="Long"><Sleep msec="100000000"/></BehaviorTree>
   <BehaviorTree ID="Short"><AlwaysSuccess/></BehaviorTree>
+</root>)";
+
+// Has always something to record.
+constexpr char kBusyTree[] = R"(<root BTCPP_format="4">
+  <BehaviorTree ID="Long"><Repeat num_cycles="-1"><Sleep msec="20"/></Repeat></BehaviorTree>
 </root>)";
 
 class RobotProgramTest : public testing::Test {
@@ -53,6 +59,16 @@ class RobotProgramTest : public testing::Test {
 
   bool ComesToLife() {
     return graph_.WaitFor([&] { return heard_ > 1; });
+  }
+
+  // The newest one on /diagnostics.
+  ros::Subscriber ListenToWarnings(std::string& warning) {
+    return graph_.node().subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 10, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
+          for (const auto& status : message->status) {
+            if (status.level == status.WARN) warning = status.name + ": " + status.message;
+          }
+        });
   }
 
   processes::RosGraph& graph_ = processes::RosGraph::Shared();
@@ -89,16 +105,24 @@ TEST_F(RobotProgramTest, EndsWhenItsRosNodeIsShutDownFromOutside) {
 TEST_F(RobotProgramTest, SaysWhenItCannotRecord) {
   const std::string folder = processes::Temporary("robot_program_records");
   std::string warning;
-  const ros::Subscriber diagnostics = graph_.node().subscribe<diagnostic_msgs::DiagnosticArray>(
-      "/diagnostics", 10, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
-        for (const auto& status : message->status) {
-          if (status.level == status.WARN) warning = status.name + ": " + status.message;
-        }
-      });
+  const ros::Subscriber diagnostics = ListenToWarnings(warning);
   shell_ = "trap '' XFSZ; ulimit -f 1; exec \"$@\"";  // as a disk that is full
   Start({"--record", folder});
   EXPECT_TRUE(graph_.WaitFor([&] { return !warning.empty(); }));
   EXPECT_THAT(warning, AllOf(HasSubstr("coppice_robot: record of "), HasSubstr("cannot write")));
+}
+
+TEST_F(RobotProgramTest, SaysThatItsRecordWasDeleted) {
+  const std::filesystem::path folder = processes::Temporary("robot_program_deleted");
+  std::string warning;
+  const ros::Subscriber diagnostics = ListenToWarnings(warning);
+  std::ofstream(trees_) << kBusyTree;
+  Start({"--record", folder});
+  ASSERT_TRUE(ComesToLife());
+  std::filesystem::remove(folder / "application.coppice");
+  EXPECT_TRUE(graph_.WaitFor([&] { return !warning.empty(); }));
+  EXPECT_THAT(warning, AllOf(HasSubstr("coppice_robot: record of application: "),
+                             HasSubstr("somebody has deleted this record")));
 }
 
 TEST_F(RobotProgramTest, EndsInOrderWhenItIsAsked) {
