@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include "bt_core/base/plain.h"
+
 namespace coppice {
 namespace {
 
@@ -13,23 +15,6 @@ constexpr char kMeantBehind[] = "\"?";
 constexpr std::size_t kMostNames = 2000;
 constexpr std::size_t kLongestName = 1000;        // letters
 constexpr std::size_t kMostCompared = 1'000'000;  // letters with letters, for one name
-
-// One line, and nothing that a terminal obeys: names of a file may hold what they like.
-std::string WithoutControls(const std::string& text) {
-  std::string plain;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte != 0x7F) {
-      plain += c;
-    } else if (c == '\n') {
-      plain += "\\n";
-    } else {
-      constexpr char kDigits[] = "0123456789ABCDEF";
-      plain += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 0xF]};
-    }
-  }
-  return plain;
-}
 
 std::string Lower(std::string_view text) {
   std::string lower(text);
@@ -68,7 +53,7 @@ std::string ToString(const Diagnostic& diagnostic) {
   text += diagnostic.severity == Severity::kError ? "error: " : "warning: ";
   text += diagnostic.message;
   if (!diagnostic.hint.empty()) text += " (" + diagnostic.hint + ")";
-  return WithoutControls(text);
+  return PlainLine(text);
 }
 
 void Diagnostics::Add(Diagnostic diagnostic) {

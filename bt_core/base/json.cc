@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bt_core/base/json_library.h"
+#include "bt_core/base/plain.h"
 
 namespace coppice {
 namespace {
@@ -252,7 +253,8 @@ std::string PrintJson(const JsonValue& json, std::size_t indent) {
 }
 
 std::string JsonString(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  // What JSON leaves as it is, a terminal might obey.
+  return Plain(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::string JsonSeconds(Duration time) {

@@ -1,31 +1,41 @@
 #include "bt_core/cli/plain_output.h"
 
+#include <utility>
+
+#include "bt_core/base/plain.h"
+
 namespace coppice {
 
-std::string Plain(std::string_view text) {
-  std::string plain;
-  plain.reserve(text.size());
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 || c == '\n' || c == '\t') {
-      plain += c;
-    } else {
-      constexpr char kDigits[] = "0123456789ABCDEF";
-      plain += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 0xF]};
-    }
-  }
-  return plain;
+PlainOutput::~PlainOutput() {
+  std::ios::iostate state = std::cout.rdstate();  // rdbuf() forgets what has failed
+  if (!Write(std::exchange(begun_, ""))) state |= std::ios::badbit;
+  std::cout.rdbuf(output_);
+  std::cout.setstate(state);
 }
 
 std::streamsize PlainOutput::xsputn(const char* text, std::streamsize size) {
-  const std::string plain = Plain({text, static_cast<std::size_t>(size)});
-  const auto length = static_cast<std::streamsize>(plain.size());
-  return output_->sputn(plain.data(), length) == length ? size : 0;
+  std::string whole = std::exchange(begun_, "");
+  whole.append(text, static_cast<std::size_t>(size));
+  if (!whole.empty() && whole.back() == '\xC2') {
+    begun_ = whole.back();
+    whole.pop_back();
+  }
+  return Write(Plain(whole)) ? size : 0;
 }
 
 PlainOutput::int_type PlainOutput::overflow(int_type character) {
   const char c = traits_type::to_char_type(character);
   return xsputn(&c, 1) == 1 ? character : traits_type::eof();
+}
+
+int PlainOutput::sync() {
+  const bool is_written = Write(std::exchange(begun_, ""));
+  return is_written ? output_->pubsync() : -1;
+}
+
+bool PlainOutput::Write(const std::string& text) {
+  const auto length = static_cast<std::streamsize>(text.size());
+  return output_->sputn(text.data(), length) == length;
 }
 
 }  // namespace coppice

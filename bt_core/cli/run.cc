@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/base/plain.h"
 #include "bt_core/cli/live/live_view.h"
-#include "bt_core/cli/plain_output.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/events/status_follower.h"

@@ -41,9 +41,11 @@ class Program {
  private:
   void OnCommand(std::size_t source, const geometry_msgs::Twist& twist) {
     if (!std::isfinite(twist.linear.x) || !std::isfinite(twist.angular.z)) return;
-    if (mux_.Offer(source, {twist.linear.x, twist.angular.z}, clock_.Now())) {
-      output_.publish(twist);
-    }
+    if (!mux_.Offer(source, {twist.linear.x, twist.angular.z}, clock_.Now())) return;
+    geometry_msgs::Twist command;  // nothing else: nobody has looked at the rest of what was sent
+    command.linear.x = twist.linear.x;
+    command.angular.z = twist.angular.z;
+    output_.publish(command);
   }
 
   const WallClock clock_;

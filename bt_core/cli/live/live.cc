@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/base/plain.h"
 #include "bt_core/cli/live/interrupt.h"
 #include "bt_core/cli/live/live_commands.h"
 #include "bt_core/cli/live/live_json.h"
@@ -114,7 +115,7 @@ class LiveVerb {
     }
     const std::string problem =
         watch_.Look([](const LiveScene& scene) { return scene.connection.problem; });
-    std::cerr << (problem.empty() ? "no answer from " + options_.files[0] : problem) << "\n";
+    std::cerr << Plain(problem.empty() ? "no answer from " + options_.files[0] : problem) << "\n";
     return false;
   }
 
@@ -124,7 +125,7 @@ class LiveVerb {
       const LiveReply reply =
           named.unhooked.empty() ? Ask(named.command) : RemoveForeign(named.unhooked);
       const std::string& text = reply ? reply->remark : reply.problem();
-      if (!text.empty()) std::cerr << named.option << ": " << text << "\n";
+      if (!text.empty()) std::cerr << named.option << ": " << Plain(text) << "\n";
       all_done = all_done && reply;
     }
     return all_done;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "bt_core/base/plain.h"
 #include "bt_core/data/value_bytes.h"
 
 namespace coppice {
@@ -32,10 +33,8 @@ std::string Seconds(Duration time) {
 }
 
 // What the robot says must not move the cursor; characters that are cut stay whole.
-std::string Clean(std::string text, std::size_t columns) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
+std::string Clean(const std::string& said, std::size_t columns) {
+  std::string text = PlainLine(said);
   if (columns == 0) return text;
   std::size_t size = 0;
   std::size_t characters = 0;

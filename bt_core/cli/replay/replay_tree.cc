@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "bt_core/base/json.h"
-#include "bt_core/cli/plain_output.h"
+#include "bt_core/base/plain.h"
 #include "bt_core/data/value_bytes.h"
 
 namespace coppice {

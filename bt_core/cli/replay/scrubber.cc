@@ -5,7 +5,7 @@
 
 #include "bt_core/analysis/why/why_text.h"
 #include "bt_core/base/json.h"
-#include "bt_core/cli/plain_output.h"
+#include "bt_core/base/plain.h"
 #include "bt_core/cli/replay/replay_tree.h"
 
 namespace coppice {

@@ -18,7 +18,7 @@ TEST(Diagnostic, LeavesOutWhatIsUnknown) {
 
 TEST(Diagnostic, IsOneLineThatNoTerminalObeys) {
   EXPECT_EQ(ToString({Severity::kError, {}, "node \"a\nb\x1B[2J\x7F\"", "h\ri"}),
-            R"(error: node "a\nb\x1B[2J\x7F" (h\x0Di))");
+            R"(error: node "a\nb\x1B[2J\u007F" (h\x0Di))");
 }
 
 TEST(Diagnostics, WarningsAreNotErrors) {
