@@ -15,6 +15,8 @@ constexpr std::array<const char*, kIntents> kWords = {
     "no",         "speak_english", "speak_german"};
 
 constexpr double kOfEachWord = 0.04;  // more words say it more surely
+// Bytes of openings, for each example again: the ear knows all sentences.
+constexpr std::size_t kMostOpened = std::size_t{4} << 20;
 constexpr double kStrong = 2, kUsual = 1.3, kWeak = 0.7;
 
 std::vector<std::string> IntentWords() { return {kWords.begin(), kWords.end()}; }
@@ -38,8 +40,9 @@ ByLanguage<Openings> ReadOpenings(YamlFields& file) {
 
 class Reader {
  public:
-  Reader(YamlFields& fields, const ByLanguage<Openings>& openings)
-      : fields_(fields), openings_(openings) {}
+  /// `opened`: bytes that the openings of all examples take so far.
+  Reader(YamlFields& fields, const ByLanguage<Openings>& openings, std::size_t& opened)
+      : fields_(fields), openings_(openings), opened_(opened) {}
 
   std::optional<IntentRow> Read() {
     IntentRow row;
@@ -100,12 +103,17 @@ class Reader {
   }
 
   // "(ask) where {place} is".
-  Example ExampleOf(const LocatedText& example, const Openings& openings) const {
+  Example ExampleOf(const LocatedText& example, const Openings& openings) {
     const std::size_t close = example.text.find(')');
     if (example.text.rfind('(', 0) != 0 || close == std::string::npos) return {{}, example.text};
     const std::string name = example.text.substr(1, close - 1);
     const auto found = openings.find(name);
-    if (found != openings.end()) return {found->second, example.text.substr(close + 1)};
+    if (found != openings.end()) {
+      for (const std::string& opening : found->second) opened_ += sizeof(opening) + opening.size();
+      if (opened_ <= kMostOpened) return {found->second, example.text.substr(close + 1)};
+      fields_.Error(example.where, "examples multiply to too many sentences with their openings");
+      return {{}, example.text};
+    }
     std::vector<std::string> names;
     for (const auto& [known, texts] : openings) names.push_back(known);
     fields_.Error(example.where, "unknown opening \"" + name + "\"", DidYouMean(name, names));
@@ -126,6 +134,7 @@ class Reader {
 
   YamlFields& fields_;
   const ByLanguage<Openings>& openings_;
+  std::size_t& opened_;
 };
 
 }  // namespace
@@ -147,8 +156,9 @@ IntentTable LoadIntentTable(const std::string& path, Diagnostics& diagnostics) {
   IntentTable table;
   YamlFields file = YamlFields::Load(path, diagnostics);
   const ByLanguage<Openings> openings = ReadOpenings(file);
+  std::size_t opened = 0;
   for (YamlFields& fields : file.Maps("intents")) {
-    std::optional<IntentRow> row = Reader(fields, openings).Read();
+    std::optional<IntentRow> row = Reader(fields, openings, opened).Read();
     if (!row) continue;
     const bool is_second = std::any_of(table.begin(), table.end(), [&row](const IntentRow& other) {
       return other.intent == row->intent;

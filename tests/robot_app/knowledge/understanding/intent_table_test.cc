@@ -63,5 +63,19 @@ TEST(IntentTable, AnExampleTakesOpeningsByTheirName) {
   EXPECT_THAT(problems, HasSubstr("unknown opening \"aks\" (did you mean \"ask\"?)"));
 }
 
+// 30 000 of each in 700 kB would be 900 million sentences.
+TEST(IntentTable, ExamplesAndOpeningsDoNotMultiplyWithoutEnd) {
+  std::string openings, examples;
+  for (int i = 0; i < 1000; ++i) {
+    openings += "o" + std::to_string(i) + ", ";
+    examples += "(ask) e" + std::to_string(i) + ", ";
+  }
+  const std::string problems = ProblemsOf(
+      "openings: {en: {ask: [" + openings + "o]}}\n" + "intents: [{intent: help, touch: [help],\n" +
+      "           says: {en: {examples: [" + examples + "a]}, de: {examples: [b]}}}]\n");
+  EXPECT_THAT(problems, HasSubstr("3:"));
+  EXPECT_THAT(problems, HasSubstr("multiply to too many sentences"));
+}
+
 }  // namespace
 }  // namespace coppice::robot::knowledge
