@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "editor/render/rasteriser.h"
@@ -19,14 +21,21 @@ namespace {
 
 constexpr Color kOpaque = 0xFF000000;
 
-using Corner = std::pair<float, float>;
+// A place in the texture of the fonts.
+std::uint64_t CornerOf(float u, float v) {
+  std::uint32_t bits[2];
+  std::memcpy(&bits[0], &u, sizeof(u));
+  std::memcpy(&bits[1], &v, sizeof(v));
+  return std::uint64_t{bits[0]} << 32 | bits[1];
+}
 
-// Where each glyph lies in the texture of the fonts.
-std::map<Corner, std::uint32_t> GlyphsOfFonts() {
-  std::map<Corner, std::uint32_t> codes;
+// Where each glyph lies there.
+std::unordered_map<std::uint64_t, std::uint32_t> GlyphsOfFonts() {
+  std::unordered_map<std::uint64_t, std::uint32_t> codes;
   for (const ImFont* font : ImGui::GetIO().Fonts->Fonts) {
+    codes.reserve(codes.size() + static_cast<std::size_t>(font->Glyphs.Size));
     for (const ImFontGlyph& glyph : font->Glyphs) {
-      if (glyph.Visible) codes[{glyph.U0, glyph.V0}] = glyph.Codepoint;
+      if (glyph.Visible) codes[CornerOf(glyph.U0, glyph.V0)] = glyph.Codepoint;
     }
   }
   return codes;
@@ -96,19 +105,24 @@ class Finder {
     for (int i = 0; i < data_.CmdListsCount; ++i) {
       for (const ImDrawCmd& command : data_.CmdLists[i]->CmdBuffer) Read(i, command);
     }
-    const Image background = bare_.Paint();
     const Image order = orders_.Paint();
     std::vector<DrawnGlyph> seen;
-    for (Found& found : found_) {
-      if (!IsSeen(found, order)) continue;
-      const Box& clip = found.glyph.clip;
-      const Box& box = found.glyph.box;
-      found.glyph.background =
-          MostOf(background, {{std::max(box.min.x, clip.min.x), std::max(box.min.y, clip.min.y)},
-                              {std::min(box.max.x, clip.max.x), std::min(box.max.y, clip.max.y)}});
-      seen.push_back(found.glyph);
+    for (const Found& found : found_) {
+      if (IsSeen(found, order)) seen.push_back(found.glyph);
     }
     return seen;
+  }
+
+  // What is behind each.
+  void AddBackgrounds(std::vector<DrawnGlyph>& glyphs) const {
+    const Image background = bare_.Paint();
+    for (DrawnGlyph& glyph : glyphs) {
+      const Box& clip = glyph.clip;
+      const Box& box = glyph.box;
+      glyph.background =
+          MostOf(background, {{std::max(box.min.x, clip.min.x), std::max(box.min.y, clip.min.y)},
+                              {std::min(box.max.x, clip.max.x), std::min(box.max.y, clip.max.y)}});
+    }
   }
 
  private:
@@ -135,7 +149,7 @@ class Finder {
     int last_corner = -1;
     for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
       const ImDrawVert& first = vertices[index[i]];
-      const auto code = codes_.find({first.uv.x, first.uv.y});
+      const auto code = codes_.find(CornerOf(first.uv.x, first.uv.y));
       const bool is_quad = i + 5 < command.ElemCount && index[i + 3] == index[i];
       const auto [low, high] = std::minmax<int>({index[i], index[i + 1], index[i + 2]});
       const bool is_same_shape = low <= last_corner && high >= first_corner;
@@ -168,7 +182,7 @@ class Finder {
         {{code, box, {{clip.x, clip.y}, {clip.z, clip.w}}, first.col, 0, text_}, order_});
   }
 
-  const std::map<Corner, std::uint32_t> codes_;
+  const std::unordered_map<std::uint64_t, std::uint32_t> codes_;
   Copy bare_;
   Copy orders_;
   const ImDrawData& data_;
@@ -229,6 +243,16 @@ std::vector<DrawnGlyph> DrawnText(const Editor& editor) {
   const WithContext current(editor.context());
   const ImDrawData* data = ImGui::GetDrawData();
   return data ? Finder(*data).Find() : std::vector<DrawnGlyph>();
+}
+
+std::vector<DrawnGlyph> DrawnTextOnBackground(const Editor& editor) {
+  const WithContext current(editor.context());
+  const ImDrawData* data = ImGui::GetDrawData();
+  if (!data) return {};
+  Finder finder(*data);
+  std::vector<DrawnGlyph> glyphs = finder.Find();
+  finder.AddBackgrounds(glyphs);
+  return glyphs;
 }
 
 std::vector<std::string> FaintTexts(const std::vector<DrawnGlyph>& glyphs) {

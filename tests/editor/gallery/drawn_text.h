@@ -16,7 +16,7 @@ struct DrawnGlyph {
   Box box;
   Box clip;          ///< what is outside of it is not seen
   Color color;       ///< with alpha
-  Color background;  ///< of most of its box
+  Color background;  ///< of most of its box, if that is asked for
   int text;          ///< glyphs that follow each other in a line have the same
 
   bool is_icon() const { return code >= 0xE000; }
@@ -24,6 +24,8 @@ struct DrawnGlyph {
 
 /// Those of the last frame that are seen: not clipped away, and nothing opaque lies over them.
 std::vector<DrawnGlyph> DrawnText(const Editor& editor);
+/// The same with their backgrounds, for which all is painted once more.
+std::vector<DrawnGlyph> DrawnTextOnBackground(const Editor& editor);
 
 /// Each as a line for people: the text, where it is, and the figure. Empty: all is well.
 std::vector<std::string> FaintTexts(const std::vector<DrawnGlyph>& glyphs);

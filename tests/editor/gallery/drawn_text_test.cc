@@ -14,7 +14,7 @@ DrawnGlyph Glyph(float x, int text, Color color = 0xFFFFFFFF) {
 TEST(DrawnText, FindsWhatIsWrittenAndWhatIsBehindIt) {
   Driver driver;
   driver.Frames();
-  const std::vector<DrawnGlyph> glyphs = DrawnText(driver.editor);
+  const std::vector<DrawnGlyph> glyphs = DrawnTextOnBackground(driver.editor);
   const Box title = driver.BoxOf("menu/file");
   std::string text;
   for (const DrawnGlyph& glyph : glyphs) {

@@ -106,7 +106,8 @@ TEST_P(GallerySmall, IsWholeAndReadableInEveryPalette) {
        {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
     stage_.state().screen.palette = palette;
     stage_.driver().Frames(2);
-    const std::vector<std::string> faint = FaintTexts(Uncovered(editor(), DrawnText(editor())));
+    const std::vector<std::string> faint =
+        FaintTexts(Uncovered(editor(), DrawnTextOnBackground(editor())));
     EXPECT_TRUE(faint.empty()) << ToString(palette) << Lines(faint);
   }
 }
