@@ -97,6 +97,7 @@ class Writer {
   static constexpr double kExamples = 0.7, kPhrases = 0.2, kBare = 0.15, kSmallTalk = 1.2;
   static constexpr double kOpened = 0.6;  // where there are openings
   static constexpr double kContracted = 0.3;
+  static constexpr std::size_t kManyNames = 1000;
 
   struct Frame {
     Sentence before;
@@ -160,25 +161,38 @@ class Writer {
 
   // "take me to" + "library", "the library" + ...
   void WriteNames(Kind kind, const Frame& frame, double weight) {
-    const double each = weight / static_cast<double>(names_[kind].size());
-    std::size_t i = 0;
-    const auto collect = [&](Sentence sentence) {
-      if (i++ % frame.every == frame.first) collected_.emplace_back(std::move(sentence), each);
-    };
-    for (const Sentence& name : names_[kind]) {
-      Sentence sentence = Joined(frame.before, name);
-      sentence.back() += frame.ending;
-      sentence = Joined(std::move(sentence), frame.after);
-      const std::size_t begin = frame.before.size();
-      if (begin > 0 && sentence[begin - 1] == "a" && BeginsWithVowel(name)) {
-        sentence[begin - 1] = "an";
+    const std::set<Sentence>& names = names_[kind];
+    const std::size_t turns = TurnsFor(names), turn = frames_++ % turns;
+    const double each = weight * static_cast<double>(turns) / static_cast<double>(names.size());
+    std::size_t i = 0, n = 0;
+    for (const Sentence& name : names) {
+      const bool is_turn = n++ % turns == turn;
+      for (const bool is_definite : {false, true}) {
+        if (is_definite && !MayBeDefinite(kind)) continue;
+        if (i++ % frame.every != frame.first || !is_turn) continue;
+        collected_.emplace_back(SentenceOf(frame, name, is_definite), each);
       }
-      collect(sentence);
-      if (!MayBeDefinite(kind)) continue;
-      sentence.insert(sentence.begin() + static_cast<std::ptrdiff_t>(begin), "the");
-      collect(std::move(sentence));
     }
   }
+
+  static Sentence SentenceOf(const Frame& frame, const Sentence& name, bool is_definite) {
+    Sentence sentence = Joined(frame.before, name);
+    sentence.back() += frame.ending;
+    sentence = Joined(std::move(sentence), frame.after);
+    const std::size_t begin = frame.before.size();
+    if (begin > 0 && sentence[begin - 1] == "a" && BeginsWithVowel(name)) {
+      sentence[begin - 1] = "an";
+    }
+    if (is_definite) sentence.insert(sentence.begin() + static_cast<std::ptrdiff_t>(begin), "the");
+    return sentence;
+  }
+
+  // Thousands of people in hundreds of frames would be millions of sentences. Each frame takes
+  // some of them then, in turn: a name is heard by the words before it, whichever they are.
+  static std::size_t TurnsFor(const std::set<Sentence>& names) {
+    return std::max<std::size_t>(1, names.size() / kManyNames);
+  }
+
   // Of categories the sentences say how they are called: "the nearest", "all", "a".
   static bool MayBeDefinite(Kind kind) { return kind == Kind::kPlace || kind == Kind::kStop; }
   void WriteNames(const IntentRow& row, const Sentence& before, double weight) {
@@ -256,12 +270,15 @@ class Writer {
     const std::set<Sentence>& names = names_[*other];
     const Sentence between = knowledge::SplitWords(after.substr(0, second));
     const std::size_t every = between.size() > 1 ? names.size() : MayBeDefinite(*kind) ? 2 : 1;
-    std::size_t i = 0;
+    const std::size_t turns = TurnsFor(names);
+    const double weight = static_cast<double>(turns) / static_cast<double>(names.size());
+    std::size_t next = 0;
     for (const Sentence& name : names) {
+      const std::size_t i = next++;
+      if (i % turns != 0) continue;
       const Sentence behind =
           Joined(Joined(between, name), knowledge::SplitWords(after.substr(end + 1)));
-      WriteNames(*kind, {before, ending, behind, every, every == 2 ? 1 : i++ % every},
-                 1.0 / static_cast<double>(names.size()));
+      WriteNames(*kind, {before, ending, behind, every, every == 2 ? 1 : i % every}, weight);
     }
   }
 
@@ -270,6 +287,7 @@ class Writer {
   std::map<Kind, std::set<Sentence>> names_;
   std::map<std::string, std::string> contractions_;  // "where is" -> "wheres"
   std::vector<std::pair<Sentence, double>> collected_;
+  std::size_t frames_ = 0;  // so far
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ struct SpokenLanguage {
   knowledge::Language language = knowledge::Language::kEnglish;
 };
 
-/// Calls `add` for each sentence; the weights of a phrase with all its names add up to about 1.
+/// Calls `add` for each sentence; the weights of a phrase with all its names add up to about 1. Of
+/// many names (2 000 and more of a kind) each phrase takes some in turn.
 void ForEachSentence(const SpokenLanguage& spoken,
                      const std::function<void(const Sentence& sentence, double weight)>& add);
 

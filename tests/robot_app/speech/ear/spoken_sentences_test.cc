@@ -107,6 +107,26 @@ TEST(SpokenSentences, AReplyIsYesNoANumberOrAName) {
   EXPECT_THAT(replies, Not(Contains("the third one")));
 }
 
+// Of a university all: with all of them in each frame there were millions of sentences.
+TEST(SpokenSentences, ThousandsOfNamesStandInSomeSentenceEach) {
+  std::vector<knowledge::Name> names;
+  for (int i = 0; i < 5000; ++i) {
+    std::string person = "p";  // of letters: numbers would be words of their own
+    for (int rest = i; rest > 0; rest /= 16) person += static_cast<char>('a' + rest % 16);
+    names.push_back({knowledge::Kind::kPerson, person, Language::kEnglish, person, true});
+  }
+  const auto& files = knowledge::ShippedLanguageFiles();
+  std::size_t sentences = 0;
+  std::set<std::string> words;
+  ForEachSentence({files.intents, In(Language::kEnglish, files.words), names},
+                  [&](const Sentence& sentence, double) {
+                    ++sentences;
+                    words.insert(sentence.begin(), sentence.end());
+                  });
+  EXPECT_LT(sentences, 400'000u);
+  for (const knowledge::Name& name : names) EXPECT_EQ(words.count(name.text), 1u) << name.text;
+}
+
 TEST(SpokenSentences, TheWeightsOfARowAddUpToAboutOne) {
   double sum = 0;
   for (const auto& [sentence, weight] : Sentences()) sum += weight;
