@@ -17,6 +17,8 @@ namespace coppice::robot::processes {
 namespace {
 
 constexpr std::size_t kMost = 1000;  // processes, or groups
+constexpr std::size_t kMostSiteFiles = 100;
+constexpr std::size_t kMostFilled = std::size_t{16} << 20;  // bytes of all texts with variables
 
 class Loader {
  public:
@@ -77,7 +79,12 @@ class Loader {
 
   // A site that is not complete is none: it is not entered.
   void ReadSiteFiles(YamlFields& fields) {
-    for (const LocatedText& text : fields.Texts("files")) {
+    const std::vector<LocatedText> files = fields.Texts("files");
+    if (files.size() > kMostSiteFiles) {
+      return file_.Error(files.front().where,
+                         "expected at most " + std::to_string(kMostSiteFiles) + " files");
+    }
+    for (const LocatedText& text : files) {
       const std::string path = Fill(text, variables_);
       if (!ReadFile(path)) {
         file_.Error(text.where, "site \"" + variables_["site"] + "\": cannot read " + path);
@@ -385,16 +392,21 @@ class Loader {
     return indices;
   }
 
-  std::string Fill(const LocatedText& word, const Variables& variables) const {
-    return FillVariables(word.text, variables,
-                         [&](const std::string& message, const std::string& hint) {
-                           file_.Error(word.where, message, hint);
-                         });
+  std::string Fill(const LocatedText& word, const Variables& variables) {
+    std::string filled = FillVariables(word.text, variables,
+                                       [&](const std::string& message, const std::string& hint) {
+                                         file_.Error(word.where, message, hint);
+                                       });
+    filled_ += filled.size();
+    if (filled_ <= kMostFilled) return filled;
+    file_.Error(word.where, "the texts of this file are too long with their variables filled in");
+    return "";
   }
 
   Diagnostics& diagnostics_;
   YamlFields file_;
-  Variables variables_;  // with the site
+  Variables variables_;     // with the site
+  std::size_t filled_ = 0;  // bytes of texts so far
   bool readable_ = false;
   RobotConfig config_;
   RestartLimits limits_;  // of groups that do not say

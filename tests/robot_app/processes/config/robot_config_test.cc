@@ -321,12 +321,31 @@ configurations: {all: [a]}
   EXPECT_THAT(Errors(), HasSubstr(file + ":3:"));
 }
 
+// All of them are read whenever the robot comes to the site.
+TEST_F(RobotConfigTest, ASiteHasAHundredFilesAtTheMost) {
+  std::string files = "/nowhere";
+  for (int i = 0; i < 100; ++i) files += ", /nowhere";
+  Read("sites: {table: {home: {configuration: all}}, files: [" + files + "]}\n" +
+       "processes: [{name: a, command: [x]}]\nconfigurations: {all: [a]}\n");
+  EXPECT_THAT(Errors(), HasSubstr(":1:54: error: expected at most 100 files"));
+}
+
 TEST_F(RobotConfigTest, ASiteHasANameThatLeadsNowhereElse) {
   for (const std::string name : {"../home", "a/b", "..", "\"\"", "\"a b\""}) {
     Read("sites: {table: {" + name + ": {configuration: all}}}\n" +
          "processes: [{name: a, command: [x]}]\nconfigurations: {all: [a]}\n");
     EXPECT_THAT(Errors(), HasSubstr("expected the name of a folder")) << name;
   }
+}
+
+// A long name of a site may stand in each of many words.
+TEST_F(RobotConfigTest, VariablesDoNotMultiplyAFile) {
+  std::string words = "x";
+  for (int i = 0; i < 20'000; ++i) words += ", \"${site}\"";
+  const std::string name(1000, 'a');
+  Read("sites: {table: {" + name + ": {configuration: all}}}\nprocesses: [{name: a, command: [" +
+       words + "]}]\nconfigurations: {all: [a]}\n");
+  EXPECT_THAT(Errors(), HasSubstr("too long with their variables filled in"));
 }
 
 TEST_F(RobotConfigTest, TheParametersOfASiteAreThoseOfItsNodes) {

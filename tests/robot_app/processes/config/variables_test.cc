@@ -38,5 +38,21 @@ TEST_F(VariablesTest, ThatHaveNoValueAreReportedWithTheNearestName) {
                                      R"("${" without "}" in "a${bin"|)"));
 }
 
+// 60 kB of them took half a gigabyte.
+TEST_F(VariablesTest, DefaultsWithinDefaultsWithoutEndStandForNothing) {
+  std::string nested = "x";
+  for (int i = 0; i < 16; ++i) nested = "${none:-" + nested + "}";
+  EXPECT_EQ(Fill(nested), "x");
+  EXPECT_EQ(Fill("a${none:-" + nested + "}b"), "ab");
+  EXPECT_THAT(problems_, ElementsAre("more than 16 defaults within each other|"));
+}
+
+TEST_F(VariablesTest, ATextThatWouldBeTooLongStandsForNothing) {
+  std::string many;
+  for (std::size_t i = 0; i <= kLongestFilled; ++i) many += "${bin}";
+  EXPECT_EQ(Fill(many), "");
+  EXPECT_THAT(problems_, ElementsAre("stands for more than 65536 bytes|"));
+}
+
 }  // namespace
 }  // namespace coppice::robot::processes
