@@ -2,6 +2,8 @@
 //
 // It never leaves the caller without an answer: a server that is not there within kConnectTimeout,
 // that does not take the goal, or that dies while it works, is reported as a failure that says so.
+// Where that would be taken for a failure of the action itself, whoever is started in the place of
+// a server that died gets the goal, too, once.
 // Times are real time, because programs start and die in real time.
 //
 // It stands on actionlib's ActionClient: SimpleActionClient keeps the goal that it sends in a
@@ -32,6 +34,9 @@
 
 namespace coppice::robot::adapters {
 
+/// What is to be done about a server that dies while it works.
+enum class WhenGone { kFails, kAsksItsSuccessor };
+
 template <class ActionSpec>
 class ActionPort {
  public:
@@ -43,8 +48,9 @@ class ActionPort {
   using Evaluate =
       std::function<leaves::ActionResult(const actionlib::TerminalState&, const Result*)>;
 
-  ActionPort(ros::NodeHandle& node, const std::string& name, Evaluate evaluate)
-      : name_(name), evaluate_(std::move(evaluate)), client_(node, name) {
+  ActionPort(ros::NodeHandle& node, const std::string& name, Evaluate evaluate,
+             WhenGone when_gone = WhenGone::kFails)
+      : name_(name), evaluate_(std::move(evaluate)), when_gone_(when_gone), client_(node, name) {
     timer_ = node.createWallTimer(ros::WallDuration(0.1), [this](const auto&) { Supervise(); });
   }
 
@@ -122,6 +128,7 @@ class ActionPort {
       const int number = number_;
       lock.unlock();
       handle_.reset();
+      if (when_gone_ == WhenGone::kAsksItsSuccessor && SendAgain(number)) return;
       Finish(number, {false, "action server \"" + name_ + "\" is gone"});
     }
   }
@@ -168,6 +175,7 @@ class ActionPort {
 
   const std::string name_;
   const Evaluate evaluate_;
+  const WhenGone when_gone_;
 
   std::mutex mutex_;
   State state_ = State::kNone;

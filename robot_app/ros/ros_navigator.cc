@@ -97,9 +97,12 @@ class RosNavigator : public leaves::Navigator {
 
 class RosChargingStation : public leaves::ChargingStation {
  public:
+  // A docking that died has not missed the station: to try again from aside would be wrong.
   explicit RosChargingStation(ros::NodeHandle& node)
-      : docking_(node, "docking",
-                 [](const auto& state, const auto* result) { return FromResult(state, result); }) {}
+      : docking_(
+            node, "docking",
+            [](const auto& state, const auto* result) { return FromResult(state, result); },
+            WhenGone::kAsksItsSuccessor) {}
 
   void Dock(double lateral_offset, int attempts, Sender<ActionResult> done) override {
     coppice_msgs::DockingGoal goal;

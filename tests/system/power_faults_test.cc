@@ -124,6 +124,22 @@ TEST(MovedStation, IsFoundByItsLandmarkLearnedAndFoundAgainByADockingThatWasKill
   EXPECT_TRUE(rig.With([](const RobotState& state) { return state.requests().empty(); }));
 }
 
+TEST(DockingAndLocalization, KilledTogetherWhileItDocksDockAsTheyWereAsked) {
+  RobotRig rig(Options("docking_killed", "0.26"));
+  ASSERT_TRUE(rig.Start());
+  FaultCase fault(rig, "docking and localization killed", "SIGKILL to both while it docks");
+  ASSERT_TRUE(rig.WaitFor([](const RobotState& state) { return state.truth().x < -1.5; }, 120));
+  fault.Begin();
+  ASSERT_TRUE(rig.Signal("docking", SIGKILL));
+  ASSERT_TRUE(rig.Signal("localization", SIGKILL));
+  fault.ExpectRestarted("docking");
+  fault.ExpectRestarted("localization");
+  EXPECT_TRUE(WaitForCurrent(rig, 120)) << rig.TimelineSince(fault.begin());
+  fault.ExpectRecovery("dock", "docking", RecoveryEvent::SUCCEEDED);
+  fault.ExpectNominal();
+  fault.ExpectNobodyAsked();
+}
+
 // The application never looks at the battery, as if its signal had got lost.
 TEST(MissedChargeSignal, IsMadeUpForByTheBatteryWatchdog) {
   RigOptions options = Options("missed_charge", "0.9");

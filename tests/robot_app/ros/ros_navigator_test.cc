@@ -1,6 +1,7 @@
 #include "robot_app/ros/ros_navigator.h"
 
 #include <actionlib/server/simple_action_server.h>
+#include <coppice_msgs/DockingAction.h>
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
 
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "bt_core/testing/leaf_harness.h"
+#include "bt_nodes/docking/docking_leaves.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
@@ -204,6 +206,64 @@ TEST_F(RosNavigatorTest, SaysThatTheServerDiedWhileDriving) {
 TEST_F(RosNavigatorTest, SaysThatThereIsNoServer) {
   EXPECT_TRUE(EndsWith(Status::kFailure, 20));
   EXPECT_EQ(harness_.message(), R"(no action server "move_base")");
+}
+
+// The action server "docking", which notes what it is to do.
+class DockingServer {
+ public:
+  explicit DockingServer(ros::NodeHandle& node) : server_(node, "docking", false) {
+    server_.registerGoalCallback([this] {
+      lateral_offset = server_.acceptNewGoal()->lateral_offset;
+      has_goal = true;
+    });
+    server_.start();
+  }
+  void Succeed() {
+    coppice_msgs::DockingResult result;
+    result.ok = true;
+    server_.setSucceeded(result);
+  }
+
+  std::atomic<bool> has_goal{false};
+  std::atomic<double> lateral_offset{0};
+
+ private:
+  actionlib::SimpleActionServer<coppice_msgs::DockingAction> server_;
+};
+
+class RosChargingStationTest : public testing::Test {
+ protected:
+  bool EndsWith(Status status) {
+    return Eventually([&] { return harness_.Tick() == status; }, 20);
+  }
+  // The leaf waits for a server that has the goal.
+  std::unique_ptr<DockingServer> StartServer() {
+    auto server = std::make_unique<DockingServer>(node_);
+    harness_.Tick();
+    EXPECT_TRUE(Eventually([&] { return server->has_goal.load(); }));
+    return server;
+  }
+
+  ros::NodeHandle node_;
+  std::unique_ptr<leaves::ChargingStation> station_ = MakeRosChargingStation(node_);
+  LeafHarness harness_ = LeafHarness::For<leaves::Dock>(std::ref(*station_));
+};
+
+TEST_F(RosChargingStationTest, WhoIsStartedAfterADockingThatDiedDocksAsWell) {
+  harness_.Set("lateral_offset", 0.04);
+  StartServer().reset();
+  const auto successor = StartServer();
+  EXPECT_EQ(successor->lateral_offset, 0.04);
+  EXPECT_EQ(harness_.Tick(), Status::kRunning) << harness_.message();
+  successor->Succeed();
+  EXPECT_TRUE(EndsWith(Status::kSuccess)) << harness_.message();
+}
+
+TEST_F(RosChargingStationTest, ADockingThatDiesTwiceHasFailed) {
+  StartServer().reset();
+  StartServer().reset();
+  EXPECT_TRUE(EndsWith(Status::kFailure));
+  EXPECT_EQ(harness_.message(), R"(action server "docking" is gone)");
 }
 
 }  // namespace
