@@ -1,5 +1,8 @@
 #include "bt_core/python/leaf.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
 #include <utility>
 
 #include "bt_core/python/values.h"
@@ -76,10 +79,15 @@ void PythonNode::Make() {
   const py::gil_scoped_acquire gil;
   link_ = std::make_shared<NodeLink>(this);
   const py::object made = py::reinterpret_borrow<py::object>(class_->make.get())(link_);
-  std::size_t k = 0;
-  for (const py::handle method : made) {
-    methods_[k++] = Object(py::reinterpret_borrow<py::object>(method));
+  const py::tuple methods(made);
+  if (methods.size() != std::size(methods_)) {
+    throw py::type_error("a node is made with " + std::to_string(std::size(methods_)) +
+                         " methods, not " + std::to_string(methods.size()) +
+                         ": does its class have _methods of its own?");
   }
+  std::transform(methods.begin(), methods.end(), methods_, [](py::handle method) {
+    return Object(py::reinterpret_borrow<py::object>(method));
+  });
 }
 
 void PythonLeaf::set_host(LeafHost* host) {

@@ -441,3 +441,15 @@ def test_the_leaf_of_a_base_class_has_its_ports():
     leaf = LeafHarness(IsVeryDark)
     leaf["lux"] = 6.0
     assert leaf.tick() == FAILURE
+
+
+@pytest.mark.parametrize("count", [1, 6])
+def test_a_class_that_has_methods_of_its_own_for_those_of_its_base_is_refused(count):
+    class Own(Condition):
+        """It has no check."""
+        _methods = ("check",) * count
+
+        def check(self) -> bool:
+            return True
+    with pytest.raises(TypeError, match=f"4 methods, not {count}"):
+        LeafHarness(Own).tick()
