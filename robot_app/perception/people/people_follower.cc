@@ -74,7 +74,7 @@ Outcome PeopleFollower::OnCloud(const sensor_msgs::PointCloud2& message) {
   return {};
 }
 
-Outcome PeopleFollower::OnSightings(const coppice_msgs::Sightings& message) {
+Expected<double> PeopleFollower::OnSightings(const coppice_msgs::Sightings& message) {
   if (message.header.frame_id != options_.frame) {
     return Problem{"sightings are in the frame " + message.header.frame_id + ", expected " +
                    options_.frame};
@@ -89,8 +89,9 @@ Outcome PeopleFollower::OnSightings(const coppice_msgs::Sightings& message) {
                             {message.lens.x, message.lens.y, message.lens.theta},
                             message.half_angle,
                             message.farthest};
+  const double late = std::max(tracker_.time() - time, 0.0);
   Update(time, Join(*std::move(sightings)));
-  return {};
+  return late;
 }
 
 Expected<bool> PeopleFollower::OnScan(const sensor_msgs::LaserScan& message) {

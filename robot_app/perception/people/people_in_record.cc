@@ -42,11 +42,17 @@ class Reader {
       const Outcome checked = CheckStamp(cloud->header.stamp, message.getTime());
       Count(checked ? follower_.OnCloud(*cloud) : checked, figures_.clouds);
     } else if (const auto sightings = message.instantiate<coppice_msgs::Sightings>()) {
-      const Outcome checked = CheckStamp(sightings->header.stamp, message.getTime());
-      Count(checked ? follower_.OnSightings(*sightings) : checked, figures_.pictures);
+      TakeSightings(*sightings, message.getTime());
     } else if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
       TakeScan(*scan, message.getTime());
     }
+  }
+
+  void TakeSightings(const coppice_msgs::Sightings& sightings, const ros::Time& now) {
+    const Outcome checked = CheckStamp(sightings.header.stamp, now);
+    if (!checked) return Count(checked, figures_.pictures);
+    const auto late = follower_.OnSightings(sightings);
+    Count(late ? Outcome() : Problem{late.problem()}, figures_.pictures);
   }
 
   void TakeScan(const sensor_msgs::LaserScan& scan, const ros::Time& now) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -95,11 +96,14 @@ class PeopleNode {
   }
 
   void OnSightings(const coppice_msgs::Sightings& message) {
-    Outcome done = CheckStamp(message.header.stamp, ros::Time::now());
-    if (done) done = follower_.OnSightings(message);
-    sightings_problem_ = done.problem();
-    if (!done) return;
-    ++pictures_;
+    const Outcome checked = CheckStamp(message.header.stamp, ros::Time::now());
+    sightings_problem_ = checked.problem();
+    if (!checked) return;
+    const auto late = follower_.OnSightings(message);
+    sightings_problem_ = late.problem();
+    if (!late) return;
+    late_picture_ = *late > kMostDelay ? Late(message.camera, *late) : "";
+    ++(*late > kMostDelay ? late_pictures_ : pictures_);
     // The lidar gives the beat, as long as there is one.
     if (SilenceOfLidar() > kSilence) Publish();
   }
@@ -121,6 +125,16 @@ class PeopleNode {
     if (markers_.getNumSubscribers() > 0) markers_.publish(ToMarkers(people));
   }
 
+  static std::string Late(const std::string& camera, double late) {
+    char text[120];
+    std::snprintf(
+        text, sizeof(text),
+        "what the camera %.20s sees comes %.1f s late, up to %g s count: the computer has "
+        "too much to do",
+        camera.c_str(), late, kMostDelay);
+    return text;
+  }
+
   double SilenceOfLidar() const { return (ros::WallTime::now() - last_cloud_).toSec(); }
 
   // What is wrong; empty: nothing.
@@ -132,11 +146,18 @@ class PeopleNode {
 
   void PublishState() {
     using diagnostic_msgs::DiagnosticStatus;
-    const std::string problem = Complaint();
     DiagnosticStatus status;
     status.name = "people: clouds";
-    status.level = problem.empty() ? DiagnosticStatus::OK : DiagnosticStatus::ERROR;
-    status.message = problem.empty() ? "looking for people" : problem;
+    status.level = DiagnosticStatus::OK;
+    status.message = "looking for people";
+    if (!late_picture_.empty()) {
+      status.level = DiagnosticStatus::WARN;
+      status.message = late_picture_;
+    }
+    if (const std::string problem = Complaint(); !problem.empty()) {
+      status.level = DiagnosticStatus::ERROR;
+      status.message = problem;
+    }
     const auto add = [&status](const char* key, const std::string& value) {
       status.values.emplace_back();
       status.values.back().key = key;
@@ -147,6 +168,7 @@ class PeopleNode {
                                                [](const Track& one) { return one.is_confirmed; })));
     add("clouds", std::to_string(clouds_));
     add("pictures", std::to_string(pictures_));
+    add("late pictures", std::to_string(late_pictures_));
     add("scans", std::to_string(scans_));
     add("per cloud [ms]", std::to_string(clouds_ > 0 ? 1e3 * calculated_ / clouds_ : 0));
     diagnostic_msgs::DiagnosticArray message;
@@ -164,7 +186,9 @@ class PeopleNode {
   std::string scan_problem_;       // of the last scan
   ros::WallTime last_cloud_ = ros::WallTime::now();
   std::uint64_t clouds_ = 0, pictures_ = 0, scans_ = 0;  // that were looked at
-  double calculated_ = 0;                                // s, for all clouds
+  std::string late_picture_;                             // about the last one, if it was too late
+  std::uint64_t late_pictures_ = 0;
+  double calculated_ = 0;  // s, for all clouds
   ros::Publisher people_, markers_, diagnostics_;
   ros::Subscriber clouds_subscriber_, sightings_subscriber_, scans_subscriber_;
   ros::WallTimer state_timer_;

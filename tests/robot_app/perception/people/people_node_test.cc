@@ -1,5 +1,6 @@
 // coppice-people with the simulator over ROS.
 #include <coppice_msgs/People.h>
+#include <coppice_msgs/Sightings.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseArray.h>
 #include <gmock/gmock.h>
@@ -86,6 +87,26 @@ TEST_F(PeopleNodeTest, WithoutCloudsWhoWalksByIsFollowedByTheLegs) {
     return false;
   };
   EXPECT_TRUE(Eventually(legs_are_followed, kPatience)) << Diagnosis();
+}
+
+TEST_F(PeopleNodeTest, WarnsThatPicturesComeTooLateToCount) {
+  ros::Publisher sightings = node_.advertise<coppice_msgs::Sightings>("/people/sightings", 1);
+  StartSimulator();
+  StartPeople({"_frame:=map"});
+  const auto says = [&](const std::string& what, double late) {
+    coppice_msgs::Sightings seen;
+    if (people_.get()) seen.header.stamp = people_.get()->header.stamp - ros::Duration(late);
+    seen.header.frame_id = "map";
+    seen.camera = "front";
+    sightings.publish(seen);
+    return Diagnosis().find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(Eventually([&] { return people_.get() && says("looking", 0); }, kPatience))
+      << Diagnosis();
+  EXPECT_TRUE(Eventually([&] { return says("what the camera front sees comes", 2.2); }, kPatience))
+      << Diagnosis();
+  EXPECT_EQ(diagnostics_.get()->status[0].level, diagnostic_msgs::DiagnosticStatus::WARN);
+  EXPECT_TRUE(Eventually([&] { return says("looking", 0); }, kPatience)) << Diagnosis();
 }
 
 TEST_F(PeopleNodeTest, SaysThatThereAreNoClouds) {
