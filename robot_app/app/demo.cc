@@ -4,6 +4,7 @@
 #include <coppice_msgs/InjectFault.h>
 #include <coppice_msgs/Person.h>
 #include <ros/ros.h>
+#include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <unistd.h>
 
@@ -104,6 +105,7 @@ class Demo {
     spinner_ = std::make_unique<ros::AsyncSpinner>(1);
     spinner_->start();
     note_ = node_->advertise<std_msgs::String>("/coppice/note", 10, true);
+    speed_ = node_->advertise<std_msgs::Float64>("/simulation/speed", 1, true);
     watch_ = std::make_unique<RobotWatch>(*node_);
     WaitOrFail("all programs to be ready", 60, [this](const RobotView& view) {
       Remember(view);
@@ -135,9 +137,11 @@ class Demo {
     const bool is_led = std::any_of(std::begin(kWishes), std::end(kWishes),
                                     [this](const char* wish) { return AskToBeLed(wish); });
     if (!is_led) throw DemoFailed("it did not understand the visitor");
-    WaitOrFail("the visitor to be led", 300,
-               [](const RobotView& view) { return !view.outcome.empty(); });
+    WaitOrFail("the visitor to be led", 300, [](const RobotView& view) {
+      return !view.outcome.empty() || view.application != "RUNNING";
+    });
     const RobotView led = watch_->view();
+    if (led.outcome.empty()) throw DemoFailed("the application ended before the visitor was led");
     if (led.outcome != "arrived") throw DemoFailed("leading the visitor ended: " + led.outcome);
     console_.Tell("the visitor was led to " + led.led_to);
   }
@@ -152,12 +156,23 @@ class Demo {
       throw DemoFailed(written.problem());
     }
     const int answers = watch_->view().answers;
+    const double speed = std::stod(settings_.speed);
+    SetSpeed(std::min(speed, 1.0));
     LetHear(file);
     WaitOrFail("an answer", 60,
                [answers](const RobotView& view) { return view.answers > answers; });
+    SetSpeed(speed);
     const RobotView answered = watch_->view();
     console_.Tell("heard: \"" + answered.heard + "\"; the robot: \"" + answered.answer + "\"");
     return !answered.led_to.empty();
+  }
+
+  // To understand takes seconds of the computer, in which a robot in a fast simulation would be at
+  // the other end of the floor, or at the end of its patrol.
+  void SetSpeed(double speed) {
+    std_msgs::Float64 message;
+    message.data = speed;
+    speed_.publish(message);
   }
 
   // It hears nothing while it speaks itself.
@@ -400,6 +415,7 @@ class Demo {
   std::unique_ptr<ros::NodeHandle> node_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
   ros::Publisher note_;
+  ros::Publisher speed_;  // of the simulation
   std::unique_ptr<RobotWatch> watch_;
   std::set<pid_t> pids_;
   double distance_ = 0;  // m

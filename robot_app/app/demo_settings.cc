@@ -26,7 +26,7 @@ const Command& DemoCommand() {
       "",
       {CommandOption::Whole("--rounds", "N", -1, 1e9, "patrol rounds; else 2"),
        CommandOption::Whole("--stops", "N", 0, 1e9, "places per round; else 3"),
-       CommandOption::Real("--speed", "FACTOR", 0.01, 1e6,
+       CommandOption::Real("--speed", "FACTOR", 0.01, 1000,
                            "times real time; else 5. People are seen up to 1"),
        CommandOption::Whole("--seed", "N", 0, UINT32_MAX, "chooses the places; else 1"),
        CommandOption::Text("--run", "FOLDER", "for logs and records; else runs/<date and time>"),

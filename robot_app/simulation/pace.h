@@ -23,6 +23,12 @@ class Pace {
   /// `speed`: times real time; 0: as fast as possible.
   explicit Pace(double speed) : speed_(speed) {}
 
+  /// As in the constructor, from the next step on.
+  void set_speed(double speed) { speed_ = speed; }
+  double speed() const { return speed_; }
+  /// Whether a simulated second may be shorter than a real one.
+  bool is_fast() const { return speed_ <= 0 || speed_ > 1; }
+
   /// Something the robot works out was true at `stamp` (simulated) and came at `wall` [s].
   /// `source` says what.
   void Heard(const std::string& source, double stamp, double wall) {
@@ -32,7 +38,7 @@ class Pace {
   /// The wall time that a step of `step` simulated seconds takes at `time` (simulated, as the
   /// stamps) and `wall` [s]. Whom nothing has been heard of for a while is not waited for.
   double Seconds(double step, double time, double wall) const {
-    if (speed_ > 0 && speed_ <= 1) return step / speed_;
+    if (!is_fast()) return step / speed_;
     const bool is_late = std::any_of(sources_.begin(), sources_.end(), [&](const auto& source) {
       const Word& word = source.second;
       return wall - word.wall < kSilent && time - word.stamp > kLate;

@@ -14,6 +14,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/Range.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
@@ -37,6 +38,7 @@ namespace {
 constexpr char kHelp[] =
     "coppice-simulator: the simulated robot and its floor, as the ROS node /simulator.\n"
     "  subscribes  /cmd_vel /tf (whether the robot keeps up)\n"
+    "              /simulation/speed (std_msgs/Float64: another speed from now on)\n"
     "  publishes   /clock /odom /scan /imu/data /battery_state /map /tf /tf_static\n"
     "              /sonar/left /sonar/front /sonar/right (sensor_msgs/Range)\n"
     "              /emergency_stop (std_msgs/Bool, true while pressed)\n"
@@ -50,6 +52,7 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr double kStep = 0.02;         // s of simulated time
 constexpr double kFastClock = 0.05;    // the same; as often as the robot's controls look at it
 constexpr double kLongestBurst = 0.2;  // s of wall time
+constexpr double kFastest = 1000;      // times real time
 constexpr double kStartTime = 1000;    // s; so that "ten seconds ago" exists for everybody
 
 double WallTime() {
@@ -82,7 +85,7 @@ Parameters ParametersOf(Settings& settings) {
       {"floor", &settings.floor_file, "description of the floor, a YAML file"},
       {"robot", &settings.robot_file, "description of the robot, a URDF file"},
       {"seed", &world.seed, 0, 1e9, "of the sensors' noise"},
-      {"speed", &settings.speed, 0, 1000, "times real time; 0: as fast as possible"},
+      {"speed", &settings.speed, 0, kFastest, "times real time; 0: as fast as possible"},
       {"start", &settings.start, "\"X Y YAW\" on the map; none: docked"},
       {"state_of_charge", &world.state_of_charge, 0, 1, "of the battery"},
       {"localization", &settings.localization, "publishes map -> odom"},
@@ -167,6 +170,9 @@ class SimulatorNode {
     transform_subscriber_ = node_.subscribe<tf2_msgs::TFMessage>(
         "/tf", 100,
         [this](const tf2_msgs::TFMessage::ConstPtr& message) { OnTransforms(*message); });
+    speed_subscriber_ = node_.subscribe<std_msgs::Float64>(
+        "/simulation/speed", 1,
+        [this](const std_msgs::Float64::ConstPtr& message) { OnSpeed(message->data); });
     using Service = coppice_msgs::InjectFault;
     fault_service_ = node_.advertiseService(
         "/simulation/inject_fault",
@@ -204,6 +210,18 @@ class SimulatorNode {
     if (state_due_.Due(world_.time())) PublishState();
     late_.Send(world_.time());
   }
+
+  void OnSpeed(double speed) {
+    if (!(speed >= 0 && speed <= kFastest)) {
+      ROS_WARN("/simulation/speed is %g, expected 0 to %g", speed, kFastest);
+      return;
+    }
+    pace_.set_speed(speed);
+    clock_due_ = Every(ClockPeriod());
+  }
+
+  // It wakes every program of the robot: more than half of all messages.
+  double ClockPeriod() const { return pace_.is_fast() ? kFastClock : kStep; }
 
   // The robot's own part of the way from the map to its base.
   void OnTransforms(const tf2_msgs::TFMessage& message) {
@@ -267,7 +285,7 @@ class SimulatorNode {
   // one.
   std::chrono::nanoseconds LidarRest() const {
     const double period = world_.lidar_3d().options().period;
-    const double turn = settings_.speed > 0 ? period / settings_.speed : 0;
+    const double turn = pace_.speed() > 0 ? period / pace_.speed() : 0;
     return std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 * std::max(0.0, period - turn)));
   }
 
@@ -369,6 +387,7 @@ class SimulatorNode {
   std::vector<ros::Publisher> sonars_;  // in the order of kSonars
   ros::Subscriber command_subscriber_;
   ros::Subscriber transform_subscriber_;
+  ros::Subscriber speed_subscriber_;
   ros::ServiceServer fault_service_;
   std::optional<Velocity> command_;
   ros::Time stamp_;
@@ -379,8 +398,7 @@ class SimulatorNode {
   double cloud_time_ = -1;
   double echoes_time_ = -1;
   std::chrono::steady_clock::time_point lidar_rests_until_{};
-  // It wakes every program of the robot: more than half of all messages.
-  Every clock_due_{settings_.speed > 0 && settings_.speed <= 1 ? kStep : kFastClock};
+  Every clock_due_{ClockPeriod()};
   Every localization_due_{0.1};
   Every battery_due_{0.5};
   Every stop_due_{0.5};

@@ -57,8 +57,8 @@ class PeopleFollower {
   /// A turn of the lidar. A problem says what is wrong with it; then nothing has changed.
   Outcome OnCloud(const sensor_msgs::PointCloud2& message);
 
-  /// What is seen in a picture. Returns how late it comes [s]: later than kMostDelay it is left out.
-  /// A problem as above.
+  /// What is seen in a picture. Returns how late it comes [s]: later than kMostDelay it is left
+  /// out. A problem as above.
   Expected<double> OnSightings(const coppice_msgs::Sightings& message);
 
   /// A scan of the planar laser. True if it was looked at; it is if there was no cloud for half a

@@ -37,6 +37,16 @@ TEST(Pace, AsFastAsPossibleWaitsForWhoIsLateOnly) {
   EXPECT_DOUBLE_EQ(pace.Seconds(kStep, 1001, 1), kStep);
 }
 
+TEST(Pace, IsAnotherOneFromThenOnThatItIsTold) {
+  Pace pace(4);
+  EXPECT_TRUE(pace.is_fast());
+  pace.set_speed(0.5);
+  EXPECT_FALSE(pace.is_fast());
+  EXPECT_DOUBLE_EQ(pace.Seconds(kStep, 1000, 0), kStep / 0.5);
+  pace.set_speed(0);
+  EXPECT_TRUE(pace.is_fast());
+}
+
 TEST(Pace, IsNeverFasterThanWasAskedFor) {
   Pace pace(0.5);
   pace.Heard("odom", 1000, 0);

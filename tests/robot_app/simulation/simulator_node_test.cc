@@ -13,10 +13,13 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/Range.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "robot_app/common/child_process.h"
@@ -261,6 +264,35 @@ TEST_F(SimulatorNodeTest, TheThreeDLidarLeavesTurnsOutWhereTimeRunsFast) {
   ASSERT_TRUE(Eventually([&] { return clouds.count() >= before + 4; }, 15));
   const double between = (clouds.get().header.stamp - first).toSec() / (clouds.count() - before);
   EXPECT_GT(between, 0.2) << "a turn takes 0.1 s";
+}
+
+// Faster than real time the clock comes less often: so the time between two of its messages tells.
+TEST_F(SimulatorNodeTest, TakesAnotherSpeedWhileItRunsIfThereIsSuchASpeed) {
+  ChildProcess simulator({kSimulator, "_speed:=4"}, Log("speed"));
+  std::atomic<double> last = 0, period = 0;
+  const ros::Subscriber clock = node_.subscribe<rosgraph_msgs::Clock>(
+      "/clock", 10, [&](const rosgraph_msgs::Clock::ConstPtr& message) {
+        period = message->clock.toSec() - last.exchange(message->clock.toSec());
+      });
+  ros::Publisher speed = node_.advertise<std_msgs::Float64>("/simulation/speed", 5, true);
+  const auto set = [&](double value) {
+    std_msgs::Float64 message;
+    message.data = value;
+    speed.publish(message);
+  };
+  const auto is_fast = [&] { return period > 0.03 && period < 0.1; };
+  const auto is_real = [&] { return period > 0.01 && period < 0.03; };
+  ASSERT_TRUE(Eventually(is_fast, 15)) << TextOf(Log("speed"));
+  set(1);
+  EXPECT_TRUE(Eventually(is_real));
+  set(6);
+  EXPECT_TRUE(Eventually(is_fast));
+  set(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(Eventually([] {
+    return TextOf(Log("speed")).find("/simulation/speed is nan, expected 0 to 1000") !=
+           std::string::npos;
+  }));
+  EXPECT_TRUE(is_fast());
 }
 
 TEST_F(SimulatorNodeTest, TopicsComeTooFastOrTooSlowlyAndTheBatteryFreezesOnRequest) {

@@ -94,11 +94,15 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
   const Latest<geometry_msgs::PoseStamped> pose(node_, "/slam/pose");
   const Latest<geometry_msgs::PoseStamped> truth(node_, "/simulation/truth");
   const Latest<nav_msgs::OccupancyGrid> grid(node_, "/slam/grid");
-  // The frame of a new map begins where the robot stood, at (2, 0).
-  ASSERT_TRUE(DriveUntil([&] {
-    return truth.get() && truth.get()->pose.position.x > 4 && pose.get() &&
-           std::abs(pose.get()->pose.position.x + 2 - truth.get()->pose.position.x) < 0.2;
-  }));
+  // The frame of a new map begins where the robot stood at the first key frame: at (2, 0).
+  ASSERT_TRUE(Eventually([&] { return pose.get() != nullptr; }, kPatience));
+  ASSERT_TRUE(DriveUntil([&] { return truth.get() && truth.get()->pose.position.x > 4; }));
+  // On a busy computer it is behind while the robot drives; then it stands.
+  ASSERT_TRUE(Eventually(
+      [&] {
+        return std::abs(pose.get()->pose.position.x + 2 - truth.get()->pose.position.x) < 0.2;
+      },
+      kPatience));
   EXPECT_EQ(pose.get()->header.frame_id, "slam_map");
   ASSERT_TRUE(Eventually(
       [&] {
@@ -109,7 +113,6 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
                map->cells[static_cast<std::size_t>(map->frame.Index(wall))] == 100;
       },
       kPatience));
-  // It stands by now.
   const Latest<visualization_msgs::MarkerArray> graph(node_, "/slam/graph");
   ASSERT_TRUE(Eventually([&] { return graph.get() != nullptr; }, kPatience));
   EXPECT_GE(graph.get()->markers[0].points.size(), 4U);
