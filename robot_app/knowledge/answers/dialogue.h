@@ -13,6 +13,7 @@
 #ifndef COPPICE_ROBOT_APP_KNOWLEDGE_ANSWERS_DIALOGUE_H_
 #define COPPICE_ROBOT_APP_KNOWLEDGE_ANSWERS_DIALOGUE_H_
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,6 +72,10 @@ class Dialogue {
   /// While a question is open: the names of its choices, for who listens for the answer. Nothing if
   /// none is, or if anything may be answered.
   std::vector<std::string> ExpectedNames(WallTime now);
+  /// To make out what is heard next took so long: an open question waits as much longer for it.
+  void Wait(std::chrono::nanoseconds longer) {
+    if (question_) question_->Wait(longer);
+  }
   /// Whoever else has answered: no question is open any more.
   void CloseQuestion() { question_.reset(); }
   /// From where the robot is; without it as the crow flies from its home.

@@ -36,6 +36,10 @@ class OpenQuestion {
   OpenQuestion(Request request, std::vector<Kind> kinds, WallTime now)
       : request_(std::move(request)), kinds_(std::move(kinds)), until_(now + kPatience) {}
 
+  /// Who answered was not slow, but whoever made out what was said.
+  void Wait(std::chrono::nanoseconds longer) {
+    until_ += std::chrono::duration_cast<WallTime::duration>(longer);
+  }
   bool is_open(WallTime now) const { return now <= until_; }
   const std::vector<Choice>& choices() const { return choices_; }
 

@@ -41,8 +41,10 @@ void Listener::Listen(Utterance utterance, Language language, std::string who,
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!tasks_.empty() && !tasks_.back().utterance.has_ended) tasks_.pop_back();
     if (tasks_.size() >= kMostTasks) tasks_.pop_front();
-    tasks_.push_back(
-        {std::move(utterance), {{}, language, std::move(who), {}, {}}, std::move(expected)});
+    tasks_.push_back({std::move(utterance),
+                      {{}, language, std::move(who), {}, {}, {}},
+                      std::move(expected),
+                      std::chrono::steady_clock::now()});
   }
   changed_.notify_all();
 }
@@ -60,12 +62,17 @@ void Listener::Run() {
       const Instant begin = std::chrono::steady_clock::now();
       task.heard.alternatives = Recognize(task);
       task.heard.told = AskWhatIsMeant(task.heard, begin);
-      on_heard_(task.heard);
+      Tell(std::move(task.heard), task.begin);
     } else {
       Foresee(std::move(task));
     }
     lock.lock();
   }
+}
+
+void Listener::Tell(HeardUtterance heard, Instant begin) const {
+  heard.took = std::chrono::steady_clock::now() - begin;
+  on_heard_(heard);
 }
 
 // Services are asked once for an utterance.
@@ -77,7 +84,7 @@ void Listener::Foresee(Task task) {
   if (!IsAllSaid(*foreseen_)) return;
   HeardUtterance heard = foreseen_->heard;
   heard.pause = foreseen_->utterance.pause;
-  on_heard_(heard);
+  Tell(std::move(heard), foreseen_->begin);
 }
 
 // An answer to a question is short, and often goes on: "no, the second one".

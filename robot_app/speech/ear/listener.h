@@ -42,6 +42,7 @@ struct HeardUtterance {
   knowledge::Language language = knowledge::Language::kEnglish;
   std::string who;
   std::optional<knowledge::ToldMeaning> told;  ///< by the service for understanding
+  std::chrono::nanoseconds took{};             ///< since Listen
   std::optional<int> pause;  ///< he has only paused: of no account if he has gone on (Ear::End)
 };
 
@@ -68,9 +69,11 @@ class Listener {
     Utterance utterance;
     HeardUtterance heard;
     std::vector<std::string> expected;
+    Instant begin;
   };
 
   void Run();
+  void Tell(HeardUtterance heard, Instant begin) const;
   std::vector<knowledge::Alternative> Recognize(const Task& task);
   std::vector<knowledge::Alternative> RecognizeOffline(const Task& task);
   void Foresee(Task task);

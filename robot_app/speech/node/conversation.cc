@@ -56,9 +56,12 @@ void Conversation::set_language(knowledge::Language language, WallTime now) {
 coppice_msgs::Answer Conversation::Answer(const coppice_msgs::Heard& heard,
                                           const std::vector<knowledge::Alternative>& alternatives,
                                           WallTime now,
-                                          const std::optional<knowledge::ToldMeaning>& told) {
-  dialogue_->set_language(language(now));
-  if (heard.who != who_ || now - last_ > kSilence) dialogue_->Forget();
+                                          const std::optional<knowledge::ToldMeaning>& told,
+                                          std::chrono::nanoseconds took) {
+  const WallTime said = now - std::chrono::duration_cast<WallTime::duration>(took);
+  dialogue_->set_language(language(said));
+  if (heard.who != who_ || said - last_ > kSilence) dialogue_->Forget();
+  dialogue_->Wait(took);
   who_ = heard.who;
   last_ = now;
   if (const auto language = knowledge::LanguageOf(heard.language)) {

@@ -5,6 +5,7 @@
 
 #include <coppice_msgs/Answer.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,10 +26,11 @@ class Conversation {
 
   /// Answers one of the texts that somebody may have said. In `heard` of the answer is what it
   /// answers and how sure that is; no text if it was not understood. `heard.language` may be empty:
-  /// the one that is spoken now.
+  /// the one that is spoken now. `took`: to make out what was said; that long ago it was said.
   coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard,
                               const std::vector<knowledge::Alternative>& alternatives, WallTime now,
-                              const std::optional<knowledge::ToldMeaning>& told = std::nullopt);
+                              const std::optional<knowledge::ToldMeaning>& told = std::nullopt,
+                              std::chrono::nanoseconds took = {});
 
   /// That is spoken with who has said nothing yet.
   void set_home_language(knowledge::Language language) { home_language_ = language; }

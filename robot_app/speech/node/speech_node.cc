@@ -142,14 +142,16 @@ void SpeechNode::OnHeard(const HeardUtterance& utterance) {
   heard.language = Code(utterance.language);
   heard.source = coppice_msgs::Heard::MICROPHONE;
   heard.who = utterance.who;
-  Answer(heard, utterance.alternatives, settings_.answers_aloud, utterance.told);
+  Answer(heard, utterance.alternatives, settings_.answers_aloud, utterance.told, utterance.took);
 }
 
 coppice_msgs::Answer SpeechNode::Answer(const coppice_msgs::Heard& heard,
                                         const std::vector<knowledge::Alternative>& alternatives,
                                         bool aloud,
-                                        const std::optional<knowledge::ToldMeaning>& told) {
-  coppice_msgs::Answer answer = parts_.conversation->Answer(heard, alternatives, WallNow(), told);
+                                        const std::optional<knowledge::ToldMeaning>& told,
+                                        std::chrono::nanoseconds took) {
+  coppice_msgs::Answer answer =
+      parts_.conversation->Answer(heard, alternatives, WallNow(), told, took);
   heard_.publish(answer.heard);
   answer.header.stamp = ros::Time::now();
   answer_.publish(answer);

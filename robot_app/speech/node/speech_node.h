@@ -8,6 +8,7 @@
 #include <ros/node_handle.h>
 #include <std_srvs/SetBool.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +44,8 @@ class SpeechNode {
   void OnHeard(const HeardUtterance& utterance);
   coppice_msgs::Answer Answer(const coppice_msgs::Heard& heard,
                               const std::vector<knowledge::Alternative>& alternatives, bool aloud,
-                              const std::optional<knowledge::ToldMeaning>& told = std::nullopt);
+                              const std::optional<knowledge::ToldMeaning>& told = std::nullopt,
+                              std::chrono::nanoseconds took = {});
   void OnAnswer(const ros::MessageEvent<coppice_msgs::Answer const>& event);
 
   bool OnAsk(coppice_msgs::Ask::Request& request, coppice_msgs::Ask::Response& response);

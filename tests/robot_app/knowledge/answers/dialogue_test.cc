@@ -132,6 +132,14 @@ TEST_F(DialogueTest, AQuestionIsOpenForAWhileOnly) {
   EXPECT_EQ(Ask("yes"), "I have not asked anything.");
 }
 
+TEST_F(DialogueTest, AQuestionIsOpenLongerIfItTookLongToMakeOutTheAnswer) {
+  const std::chrono::seconds took(30);
+  Ask("office of Weber");
+  now_ += std::chrono::seconds(10) + took;
+  dialogue_->Wait(took);
+  EXPECT_THAT(Ask("the second one"), StartsWith("Dr. Paul Weber is in office 203"));
+}
+
 TEST_F(DialogueTest, ANewQuestionEndsAnOpenOne) {
   Ask("office of Weber");
   EXPECT_THAT(Ask("where is the library"), StartsWith("The library"));

@@ -82,6 +82,7 @@ TEST_F(ListenerTest, HearsOfflineWithoutAService) {
   const HeardUtterance heard = Heard(Settings());
   EXPECT_EQ(TextOf(heard), "where is the reading room");
   EXPECT_EQ(heard.who, "visitor");
+  EXPECT_GT(heard.took.count(), 0);
   EXPECT_EQ(problem_, "");
 }
 
