@@ -52,6 +52,7 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr double kStep = 0.02;         // s of simulated time
 constexpr double kFastClock = 0.05;    // the same; as often as the robot's controls look at it
 constexpr double kLongestBurst = 0.2;  // s of wall time
+constexpr double kLongestRest = 0.1;   // the same
 constexpr double kFastest = 1000;      // times real time
 constexpr double kStartTime = 1000;    // s; so that "ten seconds ago" exists for everybody
 
@@ -138,11 +139,14 @@ class SimulatorNode {
   void Run() {
     while (ros::ok()) {
       ros::getGlobalCallbackQueue()->callAvailable();
-      Step();
-      next_ += pace_.Seconds(kStep, kStartTime + world_.time(), WallTime());
-      // Too slow a computer slows the simulated time down; it does not catch up in a burst.
-      next_ = std::max(next_, WallTime() - kLongestBurst);
-      std::this_thread::sleep_for(std::chrono::duration<double>(next_ - WallTime()));
+      if (WallTime() >= next_) {
+        Step();
+        // Too slow a computer slows the simulated time down; it does not catch up in a burst.
+        next_ = std::max(next_ + WallTimeOfStep(), WallTime() - kLongestBurst);
+      }
+      // At a speed of nearly nothing the next step is years away; an end or another speed is not.
+      const double rest = std::clamp(next_ - WallTime(), 0.0, kLongestRest);
+      std::this_thread::sleep_for(std::chrono::duration<double>(rest));
     }
   }
 
@@ -217,7 +221,12 @@ class SimulatorNode {
       return;
     }
     pace_.set_speed(speed);
+    next_ = std::min(next_, WallTime() + WallTimeOfStep());
     clock_due_ = Every(ClockPeriod());
+  }
+
+  double WallTimeOfStep() const {
+    return pace_.Seconds(kStep, kStartTime + world_.time(), WallTime());
   }
 
   // It wakes every program of the robot: more than half of all messages.

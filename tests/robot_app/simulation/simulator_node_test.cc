@@ -295,6 +295,24 @@ TEST_F(SimulatorNodeTest, TakesAnotherSpeedWhileItRunsIfThereIsSuchASpeed) {
   EXPECT_TRUE(is_fast());
 }
 
+TEST_F(SimulatorNodeTest, ASpeedAtWhichTheNextStepIsYearsAwayIsLeftAndEndedAtOnce) {
+  const Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
+  ros::Publisher speed = node_.advertise<std_msgs::Float64>("/simulation/speed", 5);
+  const auto is_up = [&] { return speed.getNumSubscribers() > 0; };
+  const std::vector<std::string> slow = {kSimulator, "_speed:=1e-9"};
+  ChildProcess ended(slow, Log("slow"));
+  ASSERT_TRUE(Eventually(is_up, 15)) << TextOf(Log("slow"));
+  EXPECT_EQ(ended.Stop(std::chrono::seconds(10)), 0);
+  ASSERT_TRUE(Eventually([&] { return !is_up(); }));
+  const ChildProcess left(slow, Log("slow"));
+  ASSERT_TRUE(Eventually(is_up, 15)) << TextOf(Log("slow"));
+  std_msgs::Float64 message;
+  message.data = 1;
+  speed.publish(message);
+  const int before = clock.count();
+  EXPECT_TRUE(Eventually([&] { return clock.count() > before + 20; }, 15));
+}
+
 TEST_F(SimulatorNodeTest, TopicsComeTooFastOrTooSlowlyAndTheBatteryFreezesOnRequest) {
   Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
   Latest<sensor_msgs::LaserScan> scan(node_, "/scan");
