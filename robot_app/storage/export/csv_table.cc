@@ -9,6 +9,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kLongestHeader = std::size_t{1} << 20;  // bytes
+
 std::string Cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -20,9 +22,10 @@ bool IsMessage(const MessageField& field) {
   return field.kind == FieldKind::kMessage && field.count == MessageField::Count::kOne;
 }
 
+// Until there are too many.
 void AddNames(const MessageLayout& layout, const MessageLayout::Message& message,
               const std::string& before, std::string& line) {
-  for (std::uint32_t i = message.first; i < message.end; ++i) {
+  for (std::uint32_t i = message.first; i < message.end && line.size() <= kLongestHeader; ++i) {
     const MessageField& field = layout.fields[i];
     if (IsMessage(field)) {
       AddNames(layout, layout.messages[field.message], before + field.name + ".", line);
@@ -62,9 +65,12 @@ void AddCells(const MessageLayout& layout, const MessageLayout::Message& message
 
 }  // namespace
 
-std::string CsvHeader(const MessageLayout& layout) {
+Expected<std::string> CsvHeader(const MessageLayout& layout) {
   std::string line = "time,stamp";
   AddNames(layout, layout.messages[0], "", line);
+  if (line.size() > kLongestHeader) {
+    return Problem{layout.messages[0].type + ": has too many fields for a table"};
+  }
   return line + "\n";
 }
 

@@ -11,8 +11,9 @@
 
 namespace coppice::robot::storage {
 
-/// As RFC 4180, with a new line at the end.
-std::string CsvHeader(const MessageLayout& layout);
+/// As RFC 4180, with a new line at the end. A problem if it is longer than 1 MiB: the fields of
+/// messages within messages multiply.
+Expected<std::string> CsvHeader(const MessageLayout& layout);
 
 /// A problem if the document does not fit the type.
 Expected<std::string> CsvLine(const MessageLayout& layout, const StoredMessage& message);

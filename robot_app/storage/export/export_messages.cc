@@ -1,9 +1,15 @@
 #include "robot_app/storage/export/export_messages.h"
 
 #include <rosbag/bag.h>
+#include <sys/stat.h>
 #include <topic_tools/shape_shifter.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -16,25 +22,52 @@
 namespace coppice::robot::storage {
 namespace {
 
-// A file that takes its name when it is whole; else it goes.
+namespace fs = std::filesystem;
+
+// As other programs make their files.
+mode_t UsualMode() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+// A file that takes its name when it is whole; else it goes. Until then it has a name that nobody
+// had: what somebody else has laid there is neither overwritten nor written through.
 class Draft {
  public:
   explicit Draft(std::string path) : path_(std::move(path)) {}
   ~Draft() {
-    if (!is_finished_) std::remove(draft().c_str());
+    if (is_there_) std::remove(draft_.c_str());
   }
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
-  std::string draft() const { return path_ + ".part"; }
+  /// Before anything else: an empty file under the name draft().
+  Outcome Begin() {
+    std::error_code error;
+    if (fs::exists(path_, error) && !fs::is_regular_file(path_, error)) {
+      return Problem{path_ + ": is a folder, a device or a pipe, and no file"};
+    }
+    const int file = mkstemp(draft_.data());
+    if (file < 0) return Problem{path_ + ": " + std::strerror(errno)};
+    is_there_ = true;
+    fchmod(file, UsualMode());
+    close(file);
+    return {};
+  }
+  const std::string& draft() const { return draft_; }
   Outcome Finish() {
-    is_finished_ = std::rename(draft().c_str(), path_.c_str()) == 0;
-    return is_finished_ ? Outcome() : Problem{path_ + ": cannot be written"};
+    if (std::rename(draft_.c_str(), path_.c_str()) != 0) {
+      return Problem{path_ + ": cannot be written"};
+    }
+    is_there_ = false;
+    return {};
   }
 
  private:
   const std::string path_;
-  bool is_finished_ = false;
+  std::string draft_ = path_ + ".part-XXXXXX";
+  bool is_there_ = false;
 };
 
 // The layouts of types, each worked out once.
@@ -93,6 +126,7 @@ Expected<Exported> ExportBag(const ServerConfig& server, const StoredQuery& quer
                              const std::string& files, const std::string& path) {
   try {
     Draft draft(path);
+    if (Outcome begun = draft.Begin(); !begun) return Problem{begun.problem()};
     rosbag::Bag bag(draft.draft(), rosbag::bagmode::Write);
     bag.setCompression(rosbag::compression::LZ4);
     Layouts layouts;
@@ -113,6 +147,7 @@ Expected<Exported> ExportBag(const ServerConfig& server, const StoredQuery& quer
 Expected<Exported> ExportCsv(const ServerConfig& server, const StoredQuery& query,
                              const std::string& path) {
   Draft draft(path);
+  if (Outcome begun = draft.Begin(); !begun) return Problem{begun.problem()};
   std::ofstream file(draft.draft(), std::ios::binary);
   std::shared_ptr<const MessageType> type;
   Layouts layouts;
@@ -120,14 +155,19 @@ Expected<Exported> ExportCsv(const ServerConfig& server, const StoredQuery& quer
   const auto write = [&](const StoredMessage& message) -> Outcome {
     const auto layout = layouts.Of(*message.type);
     if (!layout) return Problem{layout.problem()};
-    if (!type) file << CsvHeader(**layout);
     if (type && type != message.type) {
       return Problem{"a table is of one type, but there are " + type->name + " and " +
                      message.type->name};
     }
-    type = message.type;
+    // First: that a document has all these fields limits how many there are.
     const Expected<std::string> line = CsvLine(**layout, message);
     if (!line) return Problem{line.problem()};
+    if (!type) {
+      const Expected<std::string> header = CsvHeader(**layout);
+      if (!header) return Problem{header.problem()};
+      file << *header;
+    }
+    type = message.type;
     file << *line;
     ++exported.messages;
     return file ? Outcome() : Problem{path + ": cannot be written"};

@@ -5,6 +5,9 @@
 #include <rosbag/view.h>
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <sys/wait.h>
+
+#include <filesystem>
 
 #include "tests/robot_app/monitoring/monitor_graph.h"
 #include "tests/robot_app/storage/local_postgres.h"
@@ -101,10 +104,28 @@ TEST_F(StoreProgramTest, StoresWhatIsSentIsWatchedAndGivesItBack) {
     }
   }
   const std::string table_path = folder_.Path("out.csv");
+  const std::string others_file = folder_.Path("others");  // laid in the way by somebody
+  WriteFile(others_file, "whole");
+  std::filesystem::create_symlink(others_file, table_path + ".part");
   ASSERT_EQ(Export({"--output", table_path, "--topic", "/battery_state"}), 0);
   EXPECT_THAT(ReadFile(table_path), StartsWith("time,stamp,header.seq,header.stamp,"));
   EXPECT_NE(Export({"--output", folder_.Path("both.csv")}), 0);
   EXPECT_EQ(ReadFile(folder_.Path("both.csv")), "");
+  EXPECT_EQ(ReadFile(others_file), "whole");
+
+  // A server that makes up a type whose fields multiply, and end in nothing.
+  std::string definition = "K0 k\n";
+  for (int i = 0; i < 20; ++i) {
+    definition += "MSG: a/K" + std::to_string(i) + "\n";
+    for (const char* const field : {" a\n", " b\n", " c\n", " d\n"}) {
+      definition += "K" + std::to_string(i + 1) + field;
+    }
+  }
+  postgres_.Ask("INSERT INTO coppice.types VALUES ('a/B', '5', '" + definition + "MSG: a/K20\n')");
+  postgres_.Ask(
+      "INSERT INTO coppice.messages VALUES ('sobi', 's', 1, now(), 1, '/made_up', 'a/B', '5', '{}')");
+  const int made_up = Export({"--output", folder_.Path("made_up.csv"), "--topic", "/made_up"});
+  EXPECT_EQ(WEXITSTATUS(made_up), 1);
 
   EXPECT_TRUE(WaitForLevel("logger", "store", HealthEntry::OK));
   EXPECT_TRUE(WaitForLevel("diagnostics", "coppice_store: spool", HealthEntry::OK));

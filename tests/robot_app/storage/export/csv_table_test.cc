@@ -9,8 +9,18 @@ const std::string kDefinition = "P p\ntime t\nfloat64[] list\nstring s\n" + std:
                                 "\nMSG: a/P\nfloat64 x\nfloat64 y\n";
 
 TEST(CsvTable, HasAColumnForEachField) {
-  EXPECT_EQ(CsvHeader(ParseDefinition("a/B", kDefinition).value()),
+  EXPECT_EQ(CsvHeader(ParseDefinition("a/B", kDefinition).value()).value(),
             "time,stamp,p.x,p.y,t,list,s\n");
+}
+
+TEST(CsvTable, RefusesFieldsThatMultiply) {
+  std::string definition = "C0 a\nC0 b\n";
+  for (int i = 0; i < 30; ++i) {
+    const std::string next = "C" + std::to_string(i + 1);
+    definition += "MSG: a/C" + std::to_string(i) + "\n" + next + " a\n" + next + " b\n";
+  }
+  definition += "MSG: a/C30\nint8 x\n";
+  EXPECT_FALSE(CsvHeader(ParseDefinition("a/B", definition).value()));
 }
 
 TEST(CsvTable, WritesListsAndTextsIntoOneCell) {
