@@ -74,6 +74,11 @@ class Bags(FileAttack):
         self.look(bag(message=EMPTY_CLOUD[:-6] + number(0xFFFFFFFF) + b"\0\0"))
         self.look(bag(size=0xFFFFFFF0), codes=(0, 1))
 
+    def test_a_pipe_is_not_waited_for(self):
+        os.mkfifo(self.path("r.bag"))
+        self.assertIn("no record",
+                      self.run_program("people", "--offline", "r.bag", codes=(1,)))
+
     def test_damaged_records_end_with_a_message(self):
         good = bag()
         for at in list(range(13, 80, 11)) + list(range(4109, len(good), 61)):

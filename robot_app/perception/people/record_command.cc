@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "bt_core/base/command_line.h"
@@ -116,6 +117,12 @@ class Pictures {
   std::string problem_;
 };
 
+// Nobody may ever write into a pipe, and rosbag waits for him.
+bool IsNoFile(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+}
+
 int Look(const Options& options, const std::string& clouds_file, const std::string& legs_file) {
   auto classifiers = Classifiers::Load(options.Get("--classifier", clouds_file),
                                        options.Get("--leg-classifier", legs_file));
@@ -149,12 +156,14 @@ int LookIntoRecord(const std::vector<std::string>& arguments, const std::string&
   const Options options =
       ParseOptions(kCommand, asks_for_help ? std::vector<std::string>{"--help"} : arguments);
   if (options.exit) return *options.exit;
+  const std::string record = options.Get(kOffline);
+  if (IsNoFile(record)) return Fail(record + ": is a folder, a device or a pipe, and no record");
   // rosbag believes what a record says of itself, and crashes at some that are damaged.
   const auto memory = static_cast<std::size_t>(options.Whole("--memory", 240)) << 20;
   const Expected<int> looked =
       RunApart([&] { return Look(options, clouds_file, legs_file); }, {memory, {}});
   if (looked) return *looked;
-  return Fail(options.Get(kOffline) + ": the record is damaged: who reads it " + looked.problem() +
+  return Fail(record + ": the record is damaged: who reads it " + looked.problem() +
               ", or it takes more memory than --memory says");
 }
 
