@@ -145,10 +145,12 @@ class ActionPort {
 
   void End(int number, ros::WallTime sent, const typename Client::GoalHandle& goal) {
     const actionlib::TerminalState state = goal.getTerminalState();
+    const bool is_lost = state == actionlib::TerminalState::LOST;
     // Not if it was sent too long ago for a status to have overtaken it.
-    const bool was_overtaken = state == actionlib::TerminalState::LOST &&
-                               (ros::WallTime::now() - sent).toSec() <= kOvertakeTimeout;
-    if (was_overtaken && SendAgain(number)) return;
+    const bool was_overtaken = is_lost && (ros::WallTime::now() - sent).toSec() <= kOvertakeTimeout;
+    // Who was started so soon that nobody missed the one before does not know the goal.
+    const bool has_successor = is_lost && when_gone_ == WhenGone::kAsksItsSuccessor;
+    if ((was_overtaken || has_successor) && SendAgain(number)) return;
     Finish(number, evaluate_(state, goal.getResult().get()));
   }
 

@@ -259,6 +259,18 @@ TEST_F(RosChargingStationTest, WhoIsStartedAfterADockingThatDiedDocksAsWell) {
   EXPECT_TRUE(EndsWith(Status::kSuccess)) << harness_.message();
 }
 
+// Its first status does not know the goal: long after that was sent, no status has overtaken it.
+TEST_F(RosChargingStationTest, WhoIsThereBeforeTheDeathIsNoticedDocksAsWell) {
+  auto server = StartServer();
+  const ros::WallTime long_after = ros::WallTime::now() + ros::WallDuration(1.2);
+  ASSERT_TRUE(Eventually([&] { return ros::WallTime::now() > long_after; }));
+  server.reset();
+  server = StartServer();
+  EXPECT_EQ(harness_.Tick(), Status::kRunning) << harness_.message();
+  server->Succeed();
+  EXPECT_TRUE(EndsWith(Status::kSuccess)) << harness_.message();
+}
+
 TEST_F(RosChargingStationTest, ADockingThatDiesTwiceHasFailed) {
   StartServer().reset();
   StartServer().reset();
