@@ -47,6 +47,15 @@ std::string LastLine(const std::string& path) {
   return last;
 }
 
+// What is wrong with the robot; not the load of its computer, which is as busy as the simulation
+// and whatever else runs there make it.
+std::vector<std::string> FaultsOf(const RobotView& view) {
+  std::vector<std::string> faults = view.errors;
+  const auto is_load = [](const std::string& error) { return error.rfind("cpu load", 0) == 0; };
+  faults.erase(std::remove_if(faults.begin(), faults.end(), is_load), faults.end());
+  return faults;
+}
+
 // A failure of the demonstration itself; the summary is still printed.
 struct DemoFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -129,7 +138,7 @@ class Demo {
     console_.Tell("application: " + watch_->view().application);
     // Long enough for the monitor tree to see that all is well, and for the records to be complete.
     WaitOrFail("the robot to be without faults", 60,
-               [](const RobotView& view) { return view.errors.empty(); });
+               [](const RobotView& view) { return FaultsOf(view).empty(); });
   }
 
   // What he says comes by a file instead of the microphone.
@@ -192,12 +201,12 @@ class Demo {
     console_.Step("fault 1: /navigation hangs (SIGSTOP to pid " + std::to_string(before) + ")");
     Inject("hang_node", "/navigation");
     WaitOrFail("the monitor to notice", 60,
-               [](const RobotView& view) { return !view.errors.empty(); });
-    console_.Tell("noticed: " + watch_->view().errors.front());
+               [](const RobotView& view) { return !FaultsOf(view).empty(); });
+    console_.Tell("noticed: " + FirstFault());
     WaitOrFail("the monitor tree to restart it", 120, [before](const RobotView& view) {
       const auto now = view.pids.find("navigation");
       return now != view.pids.end() && now->second != before && view.ready.at("navigation") &&
-             view.errors.empty();
+             FaultsOf(view).empty();
     });
     console_.Tell("recovered: /navigation has pid " +
                   std::to_string(watch_->view().pids.at("navigation")));
@@ -218,11 +227,16 @@ class Demo {
       }
       return false;
     });
-    console_.Tell("noticed: " + watch_->view().errors.front() + "; the way is cleared again");
+    console_.Tell("noticed: " + FirstFault() + "; the way is cleared again");
     CallSimulation("clear_corridor", place);
     WaitOrFail("the monitor tree to recover", 240,
-               [](const RobotView& view) { return view.errors.empty(); });
+               [](const RobotView& view) { return FaultsOf(view).empty(); });
     console_.Tell("recovered: the robot drives on");
+  }
+
+  std::string FirstFault() const {
+    const std::vector<std::string> faults = FaultsOf(watch_->view());
+    return faults.empty() ? "it is over already" : faults.front();
   }
 
   // A place of the floor that lies between the robot and its goal, not too near to either; or

@@ -80,7 +80,7 @@ class RobotState {
   bool IsAsked(const std::string& subject) const;
 
   /// All that is not as it should be: errors, processes that are not ready, open questions,
-  /// recoveries under way, a tree that has ended. Empty: nominal.
+  /// recoveries under way, a tree that has ended. Empty: nominal. Not the computer's load.
   std::vector<std::string> Problems() const;
   /// Since when there are no problems without a break.
   const std::optional<Instant>& nominal_since() const { return nominal_since_; }
