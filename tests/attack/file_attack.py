@@ -15,7 +15,6 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
 import unittest
 import zipfile
 
@@ -473,9 +472,15 @@ class Editor(FileAttack):
     def test_hundreds_of_thousands_of_attributes_are_shown_soon(self):
         attributes = "".join(' a%d="1"' % i for i in range(900))
         self.write("a.xml", TREE % (("<Sleep%s/>" % attributes) * 300))
-        begin = time.monotonic()
+        begin = self.calculated()
         self.edit("a.xml", codes=(0, 1, 2))
-        self.assertLess(time.monotonic() - begin, 10)
+        self.assertLess(self.calculated() - begin, 10)
+
+    @staticmethod
+    def calculated():
+        """By programs that have ended [s]: a busy computer takes longer, but not more of it."""
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return usage.ru_utime + usage.ru_stime
 
     def edit(self, name, codes=(1, 2)):
         return self.run_program("edit", name, "--headless", codes=codes)
