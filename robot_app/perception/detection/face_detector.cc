@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <opencv2/objdetect.hpp>
+#include <random>
 #include <utility>
 
 #include "bt_core/base/read_file.h"
+#include "robot_app/common/limits/run_apart.h"
 #include "robot_app/perception/detection/picture_view.h"
 #include "robot_app/perception/detection/suppression.h"
 
@@ -16,6 +18,8 @@ constexpr int kNeighbours = 3;  // windows that agree
 constexpr int kSmallest = 24;   // pixels
 constexpr double kSure = 12;    // neighbours of a face that is surely one
 constexpr double kSameOne = 0.4;
+// OpenCV crashes at some cascades, so that each is tried apart, first.
+constexpr ApartLimits kTrial{std::size_t{2} << 30, std::chrono::seconds(60)};
 
 class FaceDetector : public Detector {
  public:
@@ -52,6 +56,29 @@ bool Read(const std::string& text, cv::CascadeClassifier& cascade) {
   }
 }
 
+// In noise there is something of everything that a cascade may ask for.
+Picture Noise() {
+  Picture picture(160, 120);
+  std::minstd_rand random(1);
+  for (std::uint8_t& shade : picture.rgb) shade = static_cast<std::uint8_t>(random() >> 8);
+  return picture;
+}
+
+Expected<std::unique_ptr<Detector>> MakeHere(const std::string& file, const std::string& text) {
+  cv::CascadeClassifier cascade;
+  if (!Read(text, cascade)) return Problem{file + ": expected a cascade of OpenCV (XML)"};
+  return std::unique_ptr<Detector>(std::make_unique<FaceDetector>(std::move(cascade)));
+}
+
+// What it throws would end the program later, too.
+int Try(const std::string& file, const std::string& text) {
+  cv::setNumThreads(1);  // the copy has no others
+  const auto detector = MakeHere(file, text);
+  const Picture noise = Noise();
+  if (detector) (*detector)->Find(noise);
+  return 0;
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<Detector>> MakeFaceDetector(const std::string& file) {
@@ -59,9 +86,9 @@ Expected<std::unique_ptr<Detector>> MakeFaceDetector(const std::string& file) {
   if (!text) {
     return Problem{file + ": cannot be read; Debian's package opencv-data has face cascades"};
   }
-  cv::CascadeClassifier cascade;
-  if (!Read(*text, cascade)) return Problem{file + ": expected a cascade of OpenCV (XML)"};
-  return std::unique_ptr<Detector>(std::make_unique<FaceDetector>(std::move(cascade)));
+  const Expected<int> tried = RunApart([&] { return Try(file, *text); }, kTrial);
+  if (!tried) return Problem{file + ": OpenCV " + tried.problem() + " with this cascade"};
+  return MakeHere(file, *text);
 }
 
 }  // namespace coppice::robot::perception

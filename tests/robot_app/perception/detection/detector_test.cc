@@ -170,6 +170,30 @@ TEST(MakeDetector, RefusesAFileThatIsNoCascade) {
   EXPECT_FALSE(MakeDetector(choice));
 }
 
+TEST(MakeDetector, RefusesACascadeAtWhichOpenCvCrashes) {
+  const TemporaryFolder folder;
+  std::ifstream stream("/usr/share/opencv4/haarcascades/haarcascade_frontalface_alt2.xml");
+  const std::string shipped{std::istreambuf_iterator<char>(stream), {}};
+  std::string astray = shipped;  // to nodes and features that there are not
+  const std::string nodes = "<internalNodes>";
+  for (std::size_t at = 0; (at = astray.find(nodes, at)) != std::string::npos;) {
+    at += nodes.size();
+    astray.insert(at, "900000 900000 0 0. ");
+  }
+  std::string nested = "<?xml version=\"1.0\"?>\n<opencv_storage>";
+  for (int i = 0; i < 200'000; ++i) nested += "<a>";
+  DetectorChoice choice;
+  choice.built_in = "faces";
+  choice.cascade_file = folder.Path("cascade.xml");
+  for (const std::string& cascade : {astray, nested}) {
+    Diagnostics diagnostics;
+    ASSERT_TRUE(WriteFile(choice.cascade_file, cascade, diagnostics));
+    const auto detector = MakeDetector(choice);
+    ASSERT_FALSE(detector);
+    EXPECT_NE(detector.problem().find("crashed"), std::string::npos) << detector.problem();
+  }
+}
+
 TEST(MakeDetector, SaysThatMasksNeedAFile) {
   DetectorChoice choice;
   choice.built_in = "masks";
