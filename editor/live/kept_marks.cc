@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/json_library.h"
 #include "editor/live/record_source.h"
 
 namespace coppice::editor {
@@ -93,7 +94,7 @@ std::string WriteMarks(const Marks& marks) {
 void ReadMarks(const std::string& text, const std::string& file, const Marks& marks,
                Diagnostics& diagnostics) {
   try {
-    const Json all = Json::parse(text);
+    const Json all = ParseLimitedJson(text);
     std::vector<WantedHook> breakpoints;
     for (const Json& json : all.at("breakpoints")) breakpoints.push_back(ReadBreakpoint(json));
     std::vector<LogPoint> log_points;

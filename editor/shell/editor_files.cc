@@ -1,6 +1,7 @@
 // What an editor keeps for the next time: keys, marks, settings, recent files and robots.
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "bt_core/base/read_file.h"
@@ -12,6 +13,10 @@
 
 namespace coppice::editor {
 namespace {
+
+// Longer ones nobody has written; a line of keys that is wrong takes many times its length.
+constexpr std::size_t kLongestOwnFile = std::size_t{1} << 20;  // bytes
+constexpr std::size_t kLongestMarks = std::size_t{16} << 20;
 
 // In a folder that may not be there yet. When it fails it may succeed the next time.
 bool WriteOwnFile(const std::string& path, const std::string& text) {
@@ -26,7 +31,10 @@ bool WriteOwnFile(const std::string& path, const std::string& text) {
 void Editor::LoadKeys() {
   KeySettings& keys = state_.key_settings;
   keys.file = options_.keys_file;
-  if (const std::optional<std::string> text = ReadFile(keys.file)) {
+  std::error_code error;
+  const bool is_there = std::filesystem::exists(keys.file, error);
+  const auto text = is_there ? ReadFile(keys.file, keys.problems, kLongestOwnFile) : std::nullopt;
+  if (text) {
     ReadKeys(*text, keys.file, state_.commands, keys.problems);
   }
   if (keys.problems.has_errors()) {
@@ -36,7 +44,7 @@ void Editor::LoadKeys() {
 
 void Editor::LoadMarks() {
   Workspace& workspace = state_.workspace;
-  const std::optional<std::string> text = ReadFile(options_.marks_file);
+  const std::optional<std::string> text = ReadFile(options_.marks_file, kLongestMarks);
   if (!text) return;
   Diagnostics problems;
   ReadMarks(*text, options_.marks_file, workspace.marks(), problems);
@@ -71,7 +79,7 @@ void Editor::KeepMarks() {
 }
 
 void Editor::LoadRecent() {
-  const std::optional<std::string> text = ReadFile(options_.recent_file);
+  const std::optional<std::string> text = ReadFile(options_.recent_file, kLongestOwnFile);
   if (text) state_.recent = ReadRecent(*text);
   kept_recent_ = WriteRecent(state_.recent);
 }

@@ -112,6 +112,16 @@ TEST(Editor, WaitsForNoPipeInThePlaceOfItsOwnFiles) {
   driver.Frames(4);
 }
 
+TEST(Editor, ReadsNoKeysWithoutEnd) {
+  const TemporaryFile keys("keys", std::string(2 << 20, '\n') + "undo = F2\n");
+  EditorOptions options;
+  options.keys_file = keys.path();
+  Driver driver(std::move(options));
+  const Diagnostics& problems = driver.editor.state().key_settings.problems;
+  ASSERT_EQ(problems.all().size(), 1u);
+  EXPECT_NE(problems.all()[0].message.find("longer than"), std::string::npos);
+}
+
 TEST(Editor, SurvivesTinyAndHugeWindows) {
   const TemporaryFile file("small.xml", kSmallFile);
   for (const Point size : {Point{1, 1}, Point{200, 100}, Point{5000, 3000}}) {
