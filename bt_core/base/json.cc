@@ -205,6 +205,11 @@ std::string PrintInLines(const JsonValue& json, std::size_t indent, std::size_t 
 // Reads on until something is nested too deep, or there are too many values.
 class LimitCheck final : public nlohmann::json_sax<nlohmann::json> {
  public:
+  explicit LimitCheck(std::size_t most_values) : most_values_(most_values) {}
+
+  bool is_too_deep() const { return depth_ > kMaxJsonDepth; }
+  bool has_too_many() const { return values_ > most_values_; }
+
   bool null() override { return Count(); }
   bool boolean(bool) override { return Count(); }
   bool number_integer(number_integer_t) override { return Count(); }
@@ -222,8 +227,9 @@ class LimitCheck final : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  bool Count() { return ++values_ <= kMostJsonValues; }
+  bool Count() { return ++values_ <= most_values_; }
 
+  const std::size_t most_values_;
   int depth_ = 0;
   std::size_t values_ = 0;
 };
@@ -276,23 +282,20 @@ JsonObject& JsonObject::AddText(std::string_view key, std::string_view text) {
   return Add(key, JsonString(text));
 }
 
+// Not in one go: with a callback the library looks at all elements of a list after each object.
 nlohmann::json ParseLimitedJson(std::string_view text, std::size_t most_values) {
-  using Event = nlohmann::json::parse_event_t;
-  std::size_t values = 0;
-  return nlohmann::json::parse(text, [&](int depth, Event event, auto&) {
-    if (depth > kMaxJsonDepth) throw std::invalid_argument("the JSON is nested too deep");
-    const bool is_value =
-        event == Event::value || event == Event::object_start || event == Event::array_start;
-    if (is_value && ++values > most_values) {
-      throw std::invalid_argument("the JSON has more than " + std::to_string(most_values) +
-                                  " values");
-    }
-    return true;
-  });
+  LimitCheck check(most_values);
+  nlohmann::json::sax_parse(text, &check);
+  if (check.is_too_deep()) throw std::invalid_argument("the JSON is nested too deep");
+  if (check.has_too_many()) {
+    throw std::invalid_argument("the JSON has more than " + std::to_string(most_values) +
+                                " values");
+  }
+  return nlohmann::json::parse(text);
 }
 
 nlohmann::json ReadLimitedMessagePack(std::string_view bytes) {
-  LimitCheck check;
+  LimitCheck check(kMostJsonValues);
   if (!nlohmann::json::sax_parse(bytes, &check, nlohmann::json::input_format_t::msgpack)) {
     return nlohmann::json(nlohmann::json::value_t::discarded);
   }

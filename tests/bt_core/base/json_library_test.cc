@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "bt_core/base/json.h"
@@ -12,6 +13,14 @@ namespace {
 std::string Nested(int depth) {
   return std::string(static_cast<std::size_t>(depth), '[') +
          std::string(static_cast<std::size_t>(depth), ']');
+}
+
+TEST(LimitedJson, TakesAListOfVeryManyObjectsInTheTimeOfItsLength) {
+  std::string text = "[{}";
+  for (std::size_t i = 2; i < kMostJsonValues; ++i) text += ",{}";
+  const std::clock_t begin = std::clock();
+  EXPECT_EQ(ParseLimitedJson(text + "]").size(), kMostJsonValues - 1);
+  EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
 }
 
 TEST(LimitedJson, ReadsWhatTheLibraryReads) {
