@@ -52,12 +52,12 @@ bool IsHealed() {
          !static_cast<bool>(payload);
 }
 
-// It was ended because the victim was restarted in vain.
+// It was ended because the victim was restarted in vain, after a crash or at the monitors' request.
 bool IsTakenAlong(const RobotState& state, const std::string& dependent) {
   for (const Event& event : state.events()) {
     if (event.kind == Event::Kind::kProcess && event.subject == dependent &&
-        event.value == ProcessState::STARTING &&
-        event.text.find("odometry_filter ended by signal 6; restarted 3 times") == 0) {
+        event.value == ProcessState::STARTING && event.text.find("odometry_filter ") == 0 &&
+        event.text.find("; restarted 3 times") != std::string::npos) {
       return true;
     }
   }
