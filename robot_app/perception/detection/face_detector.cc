@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "bt_core/base/read_file.h"
-#include "robot_app/common/limits/run_apart.h"
 #include "robot_app/perception/detection/picture_view.h"
 #include "robot_app/perception/detection/suppression.h"
+#include "robot_app/perception/detection/try_apart.h"
 
 namespace coppice::robot::perception {
 namespace {
@@ -18,8 +18,6 @@ constexpr int kNeighbours = 3;  // windows that agree
 constexpr int kSmallest = 24;   // pixels
 constexpr double kSure = 12;    // neighbours of a face that is surely one
 constexpr double kSameOne = 0.4;
-// OpenCV crashes at some cascades, so that each is tried apart, first.
-constexpr ApartLimits kTrial{std::size_t{2} << 30, std::chrono::seconds(60)};
 
 class FaceDetector : public Detector {
  public:
@@ -72,7 +70,6 @@ Expected<std::unique_ptr<Detector>> MakeHere(const std::string& file, const std:
 
 // What it throws would end the program later, too.
 int Try(const std::string& file, const std::string& text) {
-  cv::setNumThreads(1);  // the copy has no others
   const auto detector = MakeHere(file, text);
   const Picture noise = Noise();
   if (detector) (*detector)->Find(noise);
@@ -86,7 +83,7 @@ Expected<std::unique_ptr<Detector>> MakeFaceDetector(const std::string& file) {
   if (!text) {
     return Problem{file + ": cannot be read; Debian's package opencv-data has face cascades"};
   }
-  const Expected<int> tried = RunApart([&] { return Try(file, *text); }, kTrial);
+  const Expected<int> tried = TryApart([&] { return Try(file, *text); });
   if (!tried) return Problem{file + ": OpenCV " + tried.problem() + " with this cascade"};
   return MakeHere(file, *text);
 }

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "bt_core/base/read_file.h"
-#include "robot_app/common/limits/run_apart.h"
 #include "robot_app/perception/detection/network_classes.h"
 #include "robot_app/perception/detection/network_output.h"
 #include "robot_app/perception/detection/picture_view.h"
 #include "robot_app/perception/detection/suppression.h"
+#include "robot_app/perception/detection/try_apart.h"
 
 namespace coppice::robot::perception {
 namespace {
@@ -21,8 +21,6 @@ namespace {
 constexpr std::size_t kLargestNetwork = std::size_t{1} << 30;  // bytes
 constexpr int kUsualSize = 640;
 constexpr int kLargestSize = 4096;
-// OpenCV crashes at some networks, so that each is tried apart, first.
-constexpr ApartLimits kTrial{std::size_t{2} << 30, std::chrono::seconds(60)};
 constexpr double kSameOne = 0.45;
 constexpr int kGray = 114;  // beside a picture that is no square
 
@@ -211,12 +209,7 @@ Expected<std::unique_ptr<Detector>> MakeHere(const NetworkFiles& files, double l
 
 Expected<std::unique_ptr<Detector>> MakeNetworkDetector(const NetworkFiles& files,
                                                         double least_confidence) {
-  const Expected<int> tried = RunApart(
-      [&] {
-        cv::setNumThreads(1);  // the copy has no others
-        return MakeHere(files, least_confidence) ? 0 : 1;
-      },
-      kTrial);
+  const Expected<int> tried = TryApart([&] { return MakeHere(files, least_confidence) ? 0 : 1; });
   if (!tried) return NotRun(files, "it " + tried.problem());
   return MakeHere(files, least_confidence);
 }

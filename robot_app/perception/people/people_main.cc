@@ -31,6 +31,7 @@ constexpr char kHelp[] =
 
 constexpr double kStatePeriod = 1;  // wall time [s]
 constexpr double kSilence = 2;      // without a cloud: an error; wall time [s]
+constexpr double kNoPicture = 2;    // after the last one: none comes too late any more; the same
 
 constexpr char kShipped[] = "shipped";
 
@@ -102,6 +103,7 @@ class PeopleNode {
     const auto late = follower_.OnSightings(message);
     sightings_problem_ = late.problem();
     if (!late) return;
+    last_picture_ = ros::WallTime::now();
     late_picture_ = *late > kMostDelay ? Late(message.camera, *late) : "";
     ++(*late > kMostDelay ? late_pictures_ : pictures_);
     // The lidar gives the beat, as long as there is one.
@@ -150,7 +152,7 @@ class PeopleNode {
     status.name = "people: clouds";
     status.level = DiagnosticStatus::OK;
     status.message = "looking for people";
-    if (!late_picture_.empty()) {
+    if (!late_picture_.empty() && (ros::WallTime::now() - last_picture_).toSec() < kNoPicture) {
       status.level = DiagnosticStatus::WARN;
       status.message = late_picture_;
     }
@@ -187,6 +189,7 @@ class PeopleNode {
   ros::WallTime last_cloud_ = ros::WallTime::now();
   std::uint64_t clouds_ = 0, pictures_ = 0, scans_ = 0;  // that were looked at
   std::string late_picture_;                             // about the last one, if it was too late
+  ros::WallTime last_picture_;
   std::uint64_t late_pictures_ = 0;
   double calculated_ = 0;  // s, for all clouds
   ros::Publisher people_, markers_, diagnostics_;

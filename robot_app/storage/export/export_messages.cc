@@ -1,18 +1,18 @@
 #include "robot_app/storage/export/export_messages.h"
 
+#include <fcntl.h>
 #include <rosbag/bag.h>
-#include <sys/stat.h>
 #include <topic_tools/shape_shifter.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
+#include <random>
 #include <utility>
 
 #include "robot_app/storage/export/csv_table.h"
@@ -24,11 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As other programs make their files.
-mode_t UsualMode() {
-  const mode_t mask = umask(0);
-  umask(mask);
-  return 0666 & ~mask;
+// As WriteFile calls what is not yet whole: what a killed program has left it removes.
+std::string AnyName(const std::string& path) {
+  std::random_device random;
+  char letters[9];
+  std::snprintf(letters, sizeof(letters), "%08x", random());
+  return path + ".saving-" + letters;
 }
 
 // A file that takes its name when it is whole; else it goes. Until then it has a name that nobody
@@ -48,16 +49,18 @@ class Draft {
     if (fs::exists(path_, error) && !fs::is_regular_file(path_, error)) {
       return Problem{path_ + ": is a folder, a device or a pipe, and no file"};
     }
-    const int file = mkstemp(draft_.data());
+    const int file = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) return Problem{path_ + ": " + std::strerror(errno)};
     is_there_ = true;
-    fchmod(file, UsualMode());
     close(file);
     return {};
   }
   const std::string& draft() const { return draft_; }
   Outcome Finish() {
-    if (std::rename(draft_.c_str(), path_.c_str()) != 0) {
+    const int file = open(draft_.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool is_on_disk = file >= 0 && fsync(file) == 0;
+    if (file >= 0) close(file);
+    if (!is_on_disk || std::rename(draft_.c_str(), path_.c_str()) != 0) {
       return Problem{path_ + ": cannot be written"};
     }
     is_there_ = false;
@@ -66,7 +69,7 @@ class Draft {
 
  private:
   const std::string path_;
-  std::string draft_ = path_ + ".part-XXXXXX";
+  const std::string draft_ = AnyName(path_);
   bool is_there_ = false;
 };
 
