@@ -188,6 +188,12 @@ TEST_F(PageAttackOnTheWheel, APageThatIsClosedWhileItDrivesLeavesAZero) {
   EXPECT_TRUE(Eventually([&] { return Speed() == 0; }));
 }
 
+TEST_F(PageAttackOnTheWheel, ScansAreSentToThePageOnlyWhileSomebodyLooks) {
+  EXPECT_TRUE(Eventually([&] { return scan_.getNumSubscribers() == 1; }));
+  driver_.reset();
+  EXPECT_TRUE(Eventually([&] { return scan_.getNumSubscribers() == 0; }));
+}
+
 TEST_F(PageAttackOnTheWheel, AnOpenPageHearsNothingAfterTheLogOut) {
   PageCaller leaver(port_);
   leaver.Post("/logout", "", leaver.own_origin(), cookie_);

@@ -73,9 +73,7 @@ void PageNode::Subscribe() {
                                                  desk_.Show("processes", ProcessesText(states));
                                                }),
       SubscribeTo<nav_msgs::OccupancyGrid>(
-          node_, "/map", [this](const nav_msgs::OccupancyGrid& map) { OnMap(map); }),
-      SubscribeTo<sensor_msgs::LaserScan>(
-          node_, "/scan", [this](const sensor_msgs::LaserScan& scan) { OnScan(scan); })};
+          node_, "/map", [this](const nav_msgs::OccupancyGrid& map) { OnMap(map); })};
 }
 
 void PageNode::OnMap(const nav_msgs::OccupancyGrid& map) {
@@ -87,10 +85,10 @@ void PageNode::OnMap(const nav_msgs::OccupancyGrid& map) {
 }
 
 void PageNode::OnScan(const sensor_msgs::LaserScan& message) {
-  const std::optional<LaserScan> scan = robot_pose_.UsableScan(message);
+  const std::optional<LaserScan> scan = surroundings_->pose.UsableScan(message);
   if (!scan) return;
-  scan_ = PointsInBase(*scan, kScanLimit);
-  wheel_.SetObstacles(scan_, clock_.Now());
+  surroundings_->scan = PointsInBase(*scan, kScanLimit);
+  wheel_.SetObstacles(surroundings_->scan, clock_.Now());
 }
 
 void PageNode::Step() {
@@ -101,6 +99,7 @@ void PageNode::Step() {
   }
   calls_.RunFinished();
   Drive(now);
+  WatchSurroundings();
   WatchCameras();
   if (desk_.is_watched()) {
     ShowPlace(now);
@@ -115,6 +114,15 @@ void PageNode::Drive(Time now) {
   driven_at_ = now;
   if (const std::optional<Velocity2D> command = wheel_.Command(now)) {
     velocity_.publish(ToTwist(*command));
+  }
+}
+
+void PageNode::WatchSurroundings() {
+  if (!desk_.is_watched()) {
+    surroundings_.reset();
+  } else if (!surroundings_) {
+    surroundings_.emplace().scans = SubscribeTo<sensor_msgs::LaserScan>(
+        node_, "/scan", [this](const sensor_msgs::LaserScan& scan) { OnScan(scan); });
   }
 }
 
@@ -143,8 +151,9 @@ void PageNode::OnPicture(std::size_t camera, const sensor_msgs::CompressedImage&
 void PageNode::ShowPlace(Time now) {
   if (now - place_at_ < kPlacePeriod) return;
   place_at_ = now;
-  const std::optional<RobotPose::Stamped> pose = robot_pose_.Newest();
-  desk_.Show("place", PlaceText(pose ? std::make_optional(pose->pose) : std::nullopt, scan_));
+  const std::optional<RobotPose::Stamped> pose = surroundings_->pose.Newest();
+  desk_.Show("place",
+             PlaceText(pose ? std::make_optional(pose->pose) : std::nullopt, surroundings_->scan));
 }
 
 void PageNode::ShowTrees(Time now) {

@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/CompressedImage.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,11 @@ class PageNode : public PageRobot {
     ros::Subscriber subscriber;
     Time shown_at{};
   };
+  struct Surroundings {
+    RobotPose pose{{"map", "odom", "base_link"}};
+    std::vector<Point2D> scan;
+    ros::Subscriber scans;
+  };
   struct FollowedTree {
     std::string name;
     std::unique_ptr<RunningPathFollower> follower;
@@ -53,6 +59,7 @@ class PageNode : public PageRobot {
   void Subscribe();
   void OnMap(const nav_msgs::OccupancyGrid& map);
   void OnScan(const sensor_msgs::LaserScan& message);
+  void WatchSurroundings();
   void WatchCameras();
   void OnPicture(std::size_t camera, const sensor_msgs::CompressedImage& picture);
   void Drive(Time now);
@@ -64,8 +71,7 @@ class PageNode : public PageRobot {
   const Clock& clock_;
   teleoperation::Teleoperation wheel_;
   PageDesk desk_;
-  RobotPose robot_pose_{{"map", "odom", "base_link"}};
-  std::vector<Point2D> scan_;
+  std::optional<Surroundings> surroundings_;  // while the page is open: transforms come often
   std::vector<Camera> cameras_;
   std::vector<FollowedTree> trees_;
   std::vector<ros::Subscriber> subscribers_;
