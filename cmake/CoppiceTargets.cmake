@@ -38,8 +38,7 @@ function(coppice_test_program name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
 endfunction()
 
-# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [COST seconds] [OPTIMIZED]
-#              [PROCESSES number])
+# coppice_test(NAME SOURCES... [LINK libraries...] [COST seconds] [OPTIMIZED] [PROCESSES number])
 #   A GoogleTest program in build/tests/bin whose suites become tests of ctest, "NAME.SUITE": to
 #   start a process (a ROS master, the fonts) for each case takes longer than most cases.
 #   Which case failed is said in the output; `build/tests/bin/NAME --gtest_filter=SUITE.CASE` runs it.
@@ -48,15 +47,9 @@ endfunction()
 #   PROCESSES: not one for each suite but so many, where a start takes longer than a whole suite.
 #   tests/support/folders.h tells where data and programs are.
 function(coppice_test name)
-  cmake_parse_arguments(ARG "OPTIMIZED" "TIMEOUT;COST;PROCESSES" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "OPTIMIZED" "COST;PROCESSES" "LINK" ${ARGN})
   if(NOT ARG_PROCESSES)
     set(ARG_PROCESSES 0)
-  endif()
-  if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)  # for what hangs; a case that waits gives up by itself after 60 s
-  endif()
-  if(COPPICE_SANITIZE)
-    math(EXPR ARG_TIMEOUT "5 * ${ARG_TIMEOUT}")
   endif()
   coppice_join(${name} sources ${ARG_UNPARSED_ARGUMENTS})
   coppice_test_program(${name} ${sources}
@@ -65,17 +58,18 @@ function(coppice_test name)
     target_compile_options(${name} PRIVATE ${COPPICE_TEST_OPTIONS})
     coppice_precompile(${name} test)
   endif()
-  set(properties TIMEOUT,${ARG_TIMEOUT})
+  set(properties "")
   if(ARG_OPTIMIZED)
-    string(APPEND properties ,RESOURCE_LOCK,calculates)
+    list(APPEND properties RESOURCE_LOCK calculates)
     if(NOT ARG_COST)
       set(ARG_COST 10)
     endif()
   endif()
   if(ARG_COST)
-    string(APPEND properties ,COST,${ARG_COST})
+    list(APPEND properties COST ${ARG_COST})
   endif()
-  coppice_list_suites(${name} ${ARG_PROCESSES} ${properties})
+  list(JOIN properties "," properties)
+  coppice_list_suites(${name} ${ARG_PROCESSES} "${properties}")
 endfunction()
 
 # coppice_join(NAME RESULT SOURCES...)   sources named *_test.cc, ten at a time as one to compile
