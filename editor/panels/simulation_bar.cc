@@ -30,6 +30,7 @@ class Bar {
     left_ = box_.min.x + 10 * ui_.scale;
     right_ = box_.max.x - 6 * ui_.scale;
     Write("SIMULATION", {Face::kBold, 13, ui_.palette.text}, "sim/banner");
+    Right("sim/end", "end", "sim.end");  // has its place in the narrowest bar, too
     DrawLeft();
     DrawRight();
     DrawTime();
@@ -51,7 +52,6 @@ class Bar {
   }
 
   void DrawRight() {
-    Right("sim/end", "end", "sim.end");
     Right("sim/save_test", "as test", "sim.save_test");
     Right("sim/again", "again", "sim.again");
     Right("sim/set", "set key", "sim.set");
@@ -110,7 +110,10 @@ class Bar {
   void Press(const std::string& path, float x, float width, const std::string& text,
              const char* command, bool active) {
     const Box at = {{x, box_.min.y + 3 * ui_.scale}, {x + width, box_.max.y - 3 * ui_.scale}};
-    if (ui_.Button(path, at, text, active, ui_.palette.simulation)) state_.commands.Run(command);
+    if (ui_.Button(path, at, text, active, ui_.palette.simulation)) {
+      // Not now: what is still to be drawn is of the simulation that the command may end.
+      state_.after_frame = [&state = state_, command] { state.commands.Run(command); };
+    }
     const EditorCommand* known = state_.commands.Find(command);
     if (!ImGui::IsItemHovered() || !known) return;
     ImGui::SetTooltip("%s   %s", known->title.c_str(), ToString(known->keys).c_str());
@@ -201,7 +204,7 @@ void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas) {
     const bool now = script.duration == Duration(0) && script.results.size() == 1 &&
                      script.results[0] == answer.status;
     if (button(answer.path, answer.text, now, ui.palette.Of(answer.status))) {
-      state.commands.Run(answer.command);
+      state.after_frame = [&state, &answer] { state.commands.Run(answer.command); };
     }
   }
   if (button("sim/script", does, false, 0)) state.commands.Run("sim.script");

@@ -47,6 +47,15 @@ class SimulationBarTest : public testing::Test {
   Driver driver_;
 };
 
+TEST_F(SimulationBarTest, CanBeEndedInTheNarrowestWindow) {
+  driver_.input.width = 900;
+  driver_.input.height = 600;
+  Start();
+  ASSERT_TRUE(driver_.Click("sim/end"));
+  driver_.Frames();
+  EXPECT_EQ(state().simulator.get(), nullptr);
+}
+
 TEST_F(SimulationBarTest, NobodyTakesASimulationForARobot) {
   EXPECT_FALSE(driver_.Has("sim/banner"));
   Start();
