@@ -9,10 +9,14 @@ namespace {
 struct Seen {
   std::vector<int> keys;
   std::vector<int> buttons;
+  bool something = false;  // that Shift, Ctrl, Alt or Super gives another meaning
 
-  // A click must be seen where it happened: the mouse may not move after a button did.
+  // A click must be seen where it happened: the mouse may not move after a button did. And a key, a
+  // click or a turn of the wheel with the modifiers that it had.
   bool Blocks(const InputEvent& event) const {
-    if (const auto* key = std::get_if<KeyEvent>(&event)) return Has(keys, key->key);
+    if (const auto* key = std::get_if<KeyEvent>(&event)) {
+      return Has(keys, key->key) || (something && IsModifier(key->key));
+    }
     if (std::get_if<MouseMove>(&event)) return !buttons.empty();
     if (const auto* button = std::get_if<MouseButton>(&event)) return Has(buttons, button->button);
     return false;
@@ -21,6 +25,9 @@ struct Seen {
   void Note(const InputEvent& event) {
     if (const auto* key = std::get_if<KeyEvent>(&event)) keys.push_back(key->key);
     if (const auto* button = std::get_if<MouseButton>(&event)) buttons.push_back(button->button);
+    const auto* key = std::get_if<KeyEvent>(&event);
+    something = something || (key && !IsModifier(key->key)) || std::get_if<MouseButton>(&event) ||
+                std::get_if<MouseWheel>(&event);
   }
 
   static bool Has(const std::vector<int>& all, int one) {

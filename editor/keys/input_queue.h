@@ -2,7 +2,8 @@
 //
 // Dear ImGui 1.86 looks at the state of keys and buttons once per frame, so a press and a release
 // between two frames would be lost. The queue gives each frame as many events as it can see without
-// losing one: the release of a key or button that was pressed in this frame waits for the next.
+// losing one: the release of a key or button that was pressed in this frame waits for the next, and
+// so does a modifier that is pressed or let go after something that it would give another meaning.
 #ifndef COPPICE_EDITOR_KEYS_INPUT_QUEUE_H_
 #define COPPICE_EDITOR_KEYS_INPUT_QUEUE_H_
 

@@ -29,8 +29,12 @@ inline constexpr Key kKeyHome = 268;
 inline constexpr Key kKeyEnd = 269;
 inline constexpr Key kKeyF1 = 290;  ///< F2 is 291, and so on
 inline constexpr Key kKeyKeypadEnter = 335;
+inline constexpr Key kKeyLeftShift = 340;  ///< then Ctrl, Alt, Super; then the right ones
 inline constexpr Key kKeyLeftAlt = 342;
 inline constexpr Key kKeyMenu = 348;
+
+/// Shift, Ctrl, Alt and Super, left and right.
+constexpr bool IsModifier(Key key) { return key >= kKeyLeftShift && key < kKeyLeftShift + 8; }
 
 enum Modifier : int { kNoModifier = 0, kShift = 1, kCtrl = 2, kAlt = 4, kSuper = 8 };
 

@@ -72,11 +72,10 @@ void MapKeys(ImGuiIO& io) {
 
 // The event that releases a modifier may still name it.
 void ApplyKey(ImGuiIO& io, const KeyEvent& event) {
-  constexpr Key kLeftShift = 340;  // then Ctrl, Alt, Super; the right ones follow in the same order
   constexpr int kModifiers[] = {kShift, kCtrl, kAlt, kSuper};
   int modifiers = event.modifiers;
-  if (event.key >= kLeftShift && event.key < kLeftShift + 8) {
-    const int modifier = kModifiers[(event.key - kLeftShift) % 4];
+  if (IsModifier(event.key)) {
+    const int modifier = kModifiers[(event.key - kKeyLeftShift) % 4];
     modifiers = event.down ? modifiers | modifier : modifiers & ~modifier;
   }
   io.KeyCtrl = (modifiers & kCtrl) != 0;

@@ -11,7 +11,6 @@
 namespace coppice::editor {
 namespace {
 
-constexpr Key kFirstModifierKey = 340;  // GLFW_KEY_LEFT_SHIFT and those behind it
 constexpr float kKeysWidth = 150;
 
 bool IsPressed(const EditorState& state, Key key) {
@@ -124,7 +123,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
   if (is_first_frame) return;
   for (const KeyEvent& event : state.input.keys) {
     const KeyChord pressed = {event.key, event.modifiers};
-    if (event.key >= kFirstModifierKey || event.key == kKeyEscape) continue;
+    if (event.key >= kKeyLeftShift || event.key == kKeyEscape) continue;
     if (pressed == KeyChord{kKeyBackspace}) {
       GiveOwnKeys(state, command->id, ui.now);
     } else if (pressed == KeyChord{kKeyDelete}) {

@@ -37,6 +37,23 @@ TEST(InputQueue, GivesDifferentKeysInOneFrame) {
   EXPECT_EQ(queue.TakeFrame().size(), 3U);
 }
 
+// Fast fingers let Ctrl go before the letter, within one frame.
+TEST(InputQueue, AKeyIsSeenWithTheModifiersThatItHad) {
+  constexpr Key kLeftCtrl = 341;
+  InputQueue queue;
+  queue.Add({KeyEvent{kLeftCtrl, true}, KeyEvent{'A', true, kCtrl},
+             KeyEvent{kLeftCtrl, false, kCtrl}, KeyEvent{'A', false}});
+  EXPECT_EQ(queue.TakeFrame().size(), 2U);
+  EXPECT_EQ(queue.TakeFrame().size(), 2U);
+  queue.Add({KeyEvent{'B', true}, KeyEvent{kLeftCtrl, true}, MouseButton{0, true},
+             KeyEvent{kLeftCtrl, false, kCtrl}});
+  EXPECT_EQ(queue.TakeFrame().size(), 1U);  // B alone
+  EXPECT_EQ(queue.TakeFrame().size(), 2U);  // a click with Ctrl
+  EXPECT_EQ(queue.TakeFrame().size(), 1U);
+  queue.Add({KeyEvent{kLeftCtrl, true}, MouseWheel{0, 1}, KeyEvent{kLeftCtrl, false, kCtrl}});
+  EXPECT_EQ(queue.TakeFrame().size(), 2U);
+}
+
 TEST(InputQueue, KeepsTheMouseWhereTheButtonWasPressed) {
   InputQueue queue;
   queue.Add({MouseMove{1, 1}, MouseButton{0, true}, MouseMove{2, 2}, MouseButton{0, false}});
