@@ -111,6 +111,7 @@ std::vector<Fix> FixesFor(const Document& document, const Diagnostic& problem) {
     case ProblemKind::kEmptyTree:
     case ProblemKind::kCannotWrite:
     case ProblemKind::kOther:
+      if (name == "BTCPP_format") fixes.push_back({"make it format 4", {}, "", "", true});
       break;
   }
   return fixes;

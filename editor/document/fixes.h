@@ -14,6 +14,7 @@ struct Fix {
   Edit edit;            ///< of the document
   std::string port;     ///< whose field the user goes on with; empty: none
   std::string command;  ///< ID of one that is run at the node, in the place of the edit; or empty
+  bool makes_format_4 = false;  ///< of the whole file, in the place of the edit
 };
 
 /// The fixes for what a checker says about this document: the nearest right name in the place of a

@@ -4,7 +4,7 @@
 #include "editor/panels/panels.h"
 #include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
-#include "editor/workspace/tree_editor.h"
+#include "editor/workspace/project_editor.h"
 
 namespace coppice::editor {
 namespace {
@@ -58,6 +58,11 @@ void RunCommand(EditorState& state, int file, const Diagnostic& problem, const F
 }
 
 void RunFix(EditorState& state, const Diagnostic& problem, const Fix& fix, double now) {
+  if (fix.makes_format_4) {
+    const Outcome made = ProjectEditor(state, now).MakeFormat4(problem.where.file);
+    if (!made) state.Notify(made.problem(), now, true);
+    return;
+  }
   const EditedFile& file = *state.workspace.project().Find(problem.where.file);
   const ElementIndex element = file.document->ElementAt(OffsetOf(*file.document, problem.where));
   TreeEditor(state, now)

@@ -7,6 +7,7 @@
 
 #include "bt_core/engine/compile/sibling_files.h"
 #include "bt_core/model/element_edits.h"
+#include "bt_core/model/upgrade.h"
 #include "bt_core/model/write_file.h"
 #include "bt_core/model/xml_text.h"
 #include "editor/document/key_names.h"
@@ -58,6 +59,28 @@ ProjectFiles ProjectEditor::Files() const {
   return files;
 }
 
+// Not as Change() does: some files of format 3 cannot be edited before.
+Outcome ProjectEditor::MakeFormat4(const std::string& path) {
+  const EditedFile* const file = state_.workspace.project().Find(path);
+  if (!file || !file->document) return Problem{"the text of this file is malformed"};
+  const OpenFile* const shown = state_.workspace.file();
+  const Project* const project = shown ? shown->forest->project().get() : nullptr;
+  Diagnostics told;  // what cannot be upgraded is in the list of problems already
+  FileChange part;
+  part.path = path;
+  part.steps = {
+      UpgradeToFormat4(*file->document, told, project ? project->TreesUsedByName() : TreeNames())};
+  NamedChange change;
+  change.name = "Make it format 4";
+  change.files.push_back(std::move(part));
+  Diagnostics diagnostics;
+  if (!state_.workspace.project().Do(std::move(change), edit_.SelectedPlaces(), diagnostics)) {
+    return Problem{diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message};
+  }
+  state_.workspace.Refresh(now_);
+  return {};
+}
+
 Outcome ProjectEditor::Change(const std::string& name, const ProjectFiles& files,
                               const std::vector<Edit>& edits) {
   if (Outcome can = edit_.CanEdit(); !can) return can;
@@ -89,8 +112,7 @@ Outcome ProjectEditor::Change(const std::string& name, const ProjectFiles& files
 
 Outcome ProjectEditor::CheckId(const std::string& id) const {
   if (id.empty()) return Problem{"a tree needs a name"};
-  if (!TreesCalled(Files(), id).empty())
-    return Problem{"there already is a tree " + id + " already"};
+  if (!TreesCalled(Files(), id).empty()) return Problem{"there is a tree " + id + " already"};
   return {};
 }
 

@@ -38,6 +38,8 @@ class ProjectEditor {
   Outcome DeleteTree();
   /// Renames the shown tree wherever it is used.
   Outcome RenameTree(const std::string& id);
+  /// Makes a file of format 3 one of format 4, as `coppice upgrade` does.
+  Outcome MakeFormat4(const std::string& path);
   /// Includes a file into the shown one; writes an empty one if there is none.
   Outcome Include(const std::string& path);
 

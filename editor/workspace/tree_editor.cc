@@ -22,6 +22,11 @@ Outcome TreeEditor::CanEdit() const {
   const Workspace& workspace = state_.workspace;
   if (workspace.run()) return Problem{"this is what the robot runs; open its file to change it"};
   if (!workspace.file()) return Problem{"no file is open"};
+  if (workspace.IsOfOtherElements()) {
+    return Problem{
+        "format 4 has other nodes than this file of format 3: make it format 4 first, "
+        "with the button in PROBLEMS"};
+  }
   if (workspace.file()->is_stale || !workspace.ShownTree()) {
     return Problem{"the text of this file is malformed: correct it first"};
   }

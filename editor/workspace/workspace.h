@@ -143,6 +143,9 @@ class Workspace {
   /// The <BehaviorTree> that is shown.
   std::optional<ElementPlace> ShownTree() const;
   std::string ShownTreeId() const;
+  /// The shown tree is of a file of format 3 that has other elements in format 4, so that its nodes
+  /// stand for none of project().
+  bool IsOfOtherElements() const;
 
   /// Selects these elements, by offset, in the shown tree or else in the one that has the first.
   void SelectPlaces(const std::vector<FilePlace>& places, double now);

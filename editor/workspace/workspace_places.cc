@@ -25,6 +25,14 @@ std::optional<ElementPlace> Workspace::ShownTree() const {
   return PlaceOf(node);
 }
 
+bool Workspace::IsOfOtherElements() const {
+  if (run_ >= 0 || !file() || file()->is_stale || tree_ < 0) return false;
+  const Document& shown = *forest()->documents()[forest()->trees()[Index(tree_)].document];
+  const EditedFile* edited = project_.Find(shown.file());
+  return edited && edited->document &&
+         edited->document->elements().size() != shown.elements().size();
+}
+
 std::string Workspace::ShownTreeId() const {
   return forest() && tree_ >= 0 ? forest()->trees()[Index(tree_)].id : std::string();
 }

@@ -175,7 +175,8 @@ class XmlPanel {
     storage.SetInt(id, line);
     const bool wanted = pane_.focused ? std::exchange(pane_.follow, false) : shown_.end > 0;
     if (pane_.focused && wanted) ShowColumn(line);
-    if (!pane_.focused && moved) pane_.left = 0;
+    if (!pane_.focused && moved) pane_.left = LeftForNode(line);
+    if (IsOtherFile() && !wanted) ImGui::SetScrollY(0);
     if (!moved || !wanted) return;
     const float height = kLineHeight * ui_.scale;
     const float at = static_cast<float>(line) * height;
@@ -183,6 +184,24 @@ class XmlPanel {
     const float top = ImGui::GetScrollY();
     if (pane_.focused && at > top && at + 2 * height < top + room) return;
     ImGui::SetScrollY(std::max(0.0F, at - room / 2));
+  }
+
+  // Since the frame before.
+  bool IsOtherFile() const {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("file");
+    const int file = static_cast<int>(ImGui::GetID(shown_.path.c_str()));
+    const bool is_other = storage.GetInt(id, file) != file;
+    storage.SetInt(id, file);
+    return is_other;
+  }
+
+  // A tag that is indented beyond the middle of the tile is brought to its left side.
+  float LeftForNode(int line) const {
+    if (shown_.end == 0) return 0;
+    const auto number = static_cast<std::size_t>(line);
+    const float column = XmlColumn(ui_, TextOf(number), shown_.begin - lines_[number].begin);
+    return column > Room() / 2 ? column - 24 * ui_.scale : 0;
   }
 
   // Long lines go to the left, so that the caret is seen.

@@ -1,6 +1,21 @@
 #include "editor/panels/xml/xml_shown.h"
 
+#include "editor/document/fixes.h"
+
 namespace coppice::editor {
+namespace {
+
+// Finds what is marked in the document in the text of its file, where that has other elements.
+void Locate(const Workspace& workspace, const Document& document, ShownXml& shown) {
+  const EditedFile* edited = workspace.project().Find(document.file());
+  if (!workspace.file() || !edited || !edited->document) return;
+  shown.begin = OffsetOf(*edited->document, document.Location(shown.begin));
+  const ElementIndex element = edited->document->ElementAt(shown.begin);
+  shown.end =
+      element == kNoElement ? shown.begin : edited->document->element(element).start_tag_end;
+}
+
+}  // namespace
 
 ShownXml ChooseXml(const EditorState& state, const TreeView* view) {
   const Workspace& workspace = state.workspace;
@@ -24,6 +39,7 @@ ShownXml ChooseXml(const EditorState& state, const TreeView* view) {
       shown.begin = element.offset;
       shown.end = element.start_tag_end;
     }
+    if (selected && !place) Locate(workspace, document, shown);
   }
   if (const EditedFile* edited = file ? workspace.project().Find(shown.path) : nullptr) {
     shown.text = &edited->text;

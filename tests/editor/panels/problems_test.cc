@@ -41,6 +41,38 @@ TEST(Problems, ErrorsComeFirst) {
   EXPECT_EQ(driver.Selected(), "1.2");
 }
 
+constexpr char kFormat3[] =
+    "<root main_tree_to_execute=\"A\">\n<BehaviorTree ID=\"A\">\n<Sequence>\n"
+    R"(<BlackboardCheckInt value_A="{n}" value_B="3" return_on_mismatch="FAILURE">)"
+    "<AlwaysSuccess/></BlackboardCheckInt>\n<AlwaysFailure/>\n</Sequence>\n</BehaviorTree></root>";
+
+// A check of the blackboard is two nodes of format 4, so its tree has none of the file's elements.
+TEST(Problems, MakeAFileOfFormat3OneOfFormat4) {
+  const TemporaryFile file("old.xml", kFormat3);
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  driver.OpenRow();
+  driver.view().Select(driver.view().scene()->FindPath("1.2"));
+  driver.Press(kKeyDelete);
+  EXPECT_NE(driver.editor.state().notice.text.find("make it format 4"), std::string::npos)
+      << driver.editor.state().notice.text;
+  const auto text = [&] {
+    return driver.editor.state().workspace.project().Find(file.path())->text;
+  };
+  EXPECT_EQ(text(), kFormat3);
+  ASSERT_TRUE(driver.Click("problems/0/fix/0"));
+  driver.Frames();
+  EXPECT_NE(text().find("BTCPP_format=\"4\""), std::string::npos);
+  EXPECT_NE(text().find("ScriptCondition"), std::string::npos);
+  driver.view().Select(driver.view().scene()->FindPath("1.2"));
+  driver.Press(kKeyDelete);
+  EXPECT_EQ(text().find("AlwaysFailure"), std::string::npos);
+  driver.Press('Z', kCtrl);
+  driver.Press('Z', kCtrl);
+  EXPECT_EQ(text(), kFormat3);
+}
+
 TEST(Problems, TellWhyARobotIsNotConnected) {
   Driver driver;
   ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);

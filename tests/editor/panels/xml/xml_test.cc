@@ -25,6 +25,42 @@ TEST(Xml, ScrollsToTheLineOfTheSelectedNodeAndMarksIt) {
   EXPECT_EQ(driver.CountColor({other.min, {other.min.x + 3, other.max.y}}, accent, 4), 0);
 }
 
+TEST(Xml, ATagThatIsIndentedFarIsBroughtIntoSight) {
+  const std::string blanks(200, ' ');
+  const TemporaryFile file("far.xml",
+                           "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Sequence>\n" + blanks +
+                               "<AlwaysSuccess/>\n<AlwaysFailure/>\n"
+                               "</Sequence></BehaviorTree></root>\n");
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  driver.OpenRow();
+  driver.view().Select(driver.view().scene()->FindPath("1.1"));
+  driver.Frames();
+  EXPECT_GT(driver.editor.state().xml.pane.left, 500);
+  driver.view().Select(driver.view().scene()->FindPath("1.2"));
+  driver.Frames();
+  EXPECT_EQ(driver.editor.state().xml.pane.left, 0);
+}
+
+TEST(Xml, AnotherFileIsShownFromItsBeginning) {
+  std::string xml = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Sequence>\n";
+  for (int i = 0; i < 200; ++i) xml += "<AlwaysSuccess/>\n";
+  xml += "</Sequence></BehaviorTree></root>\n";
+  const TemporaryFile file("long.xml", xml);
+  const TemporaryFile other("other.xml", xml);
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  driver.OpenRow();
+  driver.view().Select(driver.view().scene()->FindPath("1.150"));
+  driver.Frames();
+  ASSERT_FALSE(driver.Has("xml/1"));
+  driver.editor.Open(other.path());
+  driver.Frames();
+  EXPECT_TRUE(driver.Has("xml/1"));
+}
+
 class XmlTypingTest : public testing::Test {
  protected:
   XmlTypingTest() {
