@@ -37,13 +37,15 @@ std::vector<std::string> KeysAcross(const Document& document, const NodeRules& r
     if (name.is_global || known || !IsBetween(document, branch, name)) continue;
     bool outside = callers.autoremap || callers.ports.count(name.key) > 0;
     bool written = false;
+    bool read = !callers.none;
     for (const KeyName& other : names) {
       if (other.is_global || other.key != name.key) continue;
       const bool inside = IsBetween(document, branch, other);
       outside = outside || !inside;
       written = written || (inside && (other.writes || !other.reads));
+      read = read || other.reads || !other.writes;
     }
-    if (outside || !written) across.push_back(name.key);
+    if (outside || !written || !read) across.push_back(name.key);
   }
   return across;
 }

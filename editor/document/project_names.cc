@@ -142,6 +142,7 @@ std::vector<ElementIn> SubTreesOf(const ProjectFiles& files, std::string_view id
 CallersOfTree CallersOf(const ProjectFiles& files, std::string_view id) {
   CallersOfTree callers;
   for (const ElementIn use : SubTreesOf(files, id)) {
+    callers.none = false;
     const Document& document = files[use.file];
     const Element& element = document.element(use.element);
     callers.autoremap = callers.autoremap || IsAutoremapped(document, element);

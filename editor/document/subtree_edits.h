@@ -17,10 +17,12 @@ namespace coppice::editor {
 struct CallersOfTree {
   std::set<std::string> ports;  ///< attributes of the <SubTree>s that stand for it
   bool autoremap = false;       ///< one of them hands on all keys
+  bool none = true;             ///< only the application runs it, and sees its keys
 };
 
 /// The keys that must go through the border of the branch, in order of their first use: those that
-/// the rest of the tree or its callers use as well, and those that are only read inside.
+/// the rest of the tree or its callers use as well, those that are only read inside, and, in a tree
+/// that only the application runs, those that are only written: what else are they written for?
 std::vector<std::string> KeysAcross(const Document& document, const NodeRules& rules,
                                     ElementIndex branch, const CallersOfTree& callers);
 

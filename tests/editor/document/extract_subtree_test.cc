@@ -44,13 +44,18 @@ class ExtractSubTreeTest : public testing::Test {
 
 TEST_F(ExtractSubTreeTest, KeysThatTheRestUsesAndThoseOnlyReadGoAcross) {
   const ElementIndex go = Find(document_, "go");
-  EXPECT_THAT(KeysAcross(document_, rules_, go, {}), ElementsAre("place", "speed"));
-  EXPECT_THAT(KeysAcross(document_, rules_, go, {{"done"}, false}),
+  EXPECT_THAT(KeysAcross(document_, rules_, go, {{}, false, false}), ElementsAre("place", "speed"));
+  EXPECT_THAT(KeysAcross(document_, rules_, go, {{"done"}, false, false}),
               ElementsAre("place", "speed", "done"));
   EXPECT_THAT(KeysAcross(document_, rules_, go, {{}, true}),
               ElementsAre("place", "path", "speed", "done"));
   EXPECT_THAT(KeysAcross(document_, rules_, Find(document_, "find"), {}), ElementsAre("place"));
   EXPECT_THAT(KeysAcross(document_, rules_, Find(document_, "Beep"), {}), IsEmpty());
+}
+
+TEST_F(ExtractSubTreeTest, WhatIsOnlyWrittenIsForTheApplicationThatRunsTheTree) {
+  EXPECT_THAT(KeysAcross(document_, rules_, Find(document_, "go"), {}),
+              ElementsAre("place", "speed", "done"));
 }
 
 TEST_F(ExtractSubTreeTest, TheNewTreeStandsBehindTheOldOne) {

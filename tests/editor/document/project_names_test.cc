@@ -37,6 +37,8 @@ TEST_F(ProjectNamesTest, FindTreesAndTheirUses) {
   EXPECT_EQ(SubTreesOf(files_, "Walk").size(), 2U);
   EXPECT_EQ(CallersOf(files_, "Walk").ports, std::set<std::string>{"goal"});
   EXPECT_TRUE(CallersOf(files_, "Rest").autoremap);
+  EXPECT_FALSE(CallersOf(files_, "Rest").none);
+  EXPECT_TRUE(CallersOf(files_, "Main").none);
 }
 
 TEST_F(ProjectNamesTest, ATreeIsRenamedInAllFiles) {
