@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kSmallText = 64 * 1024;  // read in a millisecond
+
 // What a file looks like from outside: enough to see that somebody wrote it.
 void NoteStamp(EditedFile& file) {
   std::error_code error;
@@ -87,12 +89,17 @@ void OpenProject::Know(EditedFile& file, std::string saved) {
   ++file.saved_version;
 }
 
+// A document that was read before does not tell what is warned of in its text. Reading that again
+// is spared a large one that had nothing of the kind.
 void OpenProject::Replace(EditedFile& file, std::string text, std::optional<Document> document) {
+  const bool may_have_problems = !file.problems.all().empty() || text.size() < kSmallText;
   file.problems = {};
   file.text = std::move(text);
   file.document = std::move(document);
   if (!file.document) {
     file.document = Document::FromText(file.text, file.path, file.problems);
+  } else if (may_have_problems) {
+    Document::FromText(file.text, file.path, file.problems);
   }
   ++file.version;
   ++version_;

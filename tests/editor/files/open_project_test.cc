@@ -45,6 +45,21 @@ class OpenProjectTest : public testing::Test {
   int outside_ = 0;
 };
 
+TEST_F(OpenProjectTest, WhatIsWarnedOfInTheTextIsToldAfterEveryStep) {
+  std::string text = kRound;
+  text.insert(text.find("</BehaviorTree>"), "words");
+  project_.SetText(path_, "Type", text, false);
+  ASSERT_EQ(file().problems.all().size(), 1U);
+  Delete("A");
+  EXPECT_EQ(file().problems.all().size(), 1U);
+  project_.Undo();
+  EXPECT_EQ(file().problems.all().size(), 1U);
+  project_.Undo();
+  EXPECT_TRUE(file().problems.all().empty());
+  project_.Redo();
+  EXPECT_EQ(file().problems.all().size(), 1U);
+}
+
 TEST_F(OpenProjectTest, UndoAndRedoHaveNamesAndGiveTheSameBytes) {
   Delete("A");
   const std::string without_a = file().text;
