@@ -42,7 +42,7 @@ class Mouse {
       if (view_.gesture.kind != Gesture::Kind::kDrag) view_.gesture = {};
     }
     const bool idle = !ImGui::IsAnyMouseDown() && view_.gesture.kind == Gesture::Kind::kNone;
-    if (over && hovered_ && idle) {
+    if (over && hovered_ && idle && options_.tooltips) {
       DrawNodeTooltip(ui_, scene_, HoveredNode(), StateOf(options_.live, HoveredNode()),
                       options_.port_values);
     }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/export/write_picture.h"
+#include "editor/workspace/file_dialog.h"
 
 namespace coppice::editor {
 namespace {
@@ -61,10 +62,12 @@ void AddPictureCommands(EditorState& state) {
                         if (!state.workspace.view()) {
                           return state.Notify("there is no tree to compare", state.now, true);
                         }
-                        state.Ask(
-                            {"Compare with a file; empty: with what was saved last",
-                             [&state](const std::string& path) { return Compare(state, path); },
-                             {}});
+                        const OpenFile* const file = state.workspace.file();
+                        const std::filesystem::path shown = file ? file->path : "";
+                        OpenSaveDialog(
+                            state, "Compare with a file; empty: with what was saved last",
+                            (shown.parent_path() / "").string(),
+                            [&state](const std::string& path) { return Compare(state, path); });
                       }});
   state.commands.Add({"file.stop_comparing", "Stop comparing", {'D', kAlt | kShift}, [&state] {
                         state.canvas.comparison.reset();

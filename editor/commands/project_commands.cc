@@ -1,12 +1,14 @@
 #include "editor/commands/project_commands.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <utility>
 
 #include "editor/document/key_names.h"
 #include "editor/keys/fuzzy.h"
+#include "editor/workspace/file_dialog.h"
 #include "editor/workspace/project_editor.h"
 
 namespace coppice::editor {
@@ -201,16 +203,18 @@ class ProjectCommands {
 
   void AddModels() {
     Add("file.models", "Load node models", {}, [&s = state_] {
-      s.Ask(
-          {"Load node models: path of a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
-           [&s](const std::string& path) -> Outcome {
-             const std::size_t before = s.workspace.model_problems().size();
-             s.workspace.AddModels(path);
-             s.workspace.RenewAll(s.now);
-             const auto& problems = s.workspace.model_problems();
-             return problems.size() > before ? Problem{problems.back().message} : Outcome();
-           },
-           {}});
+      const OpenFile* const shown = s.workspace.file();
+      const std::filesystem::path folder =
+          std::filesystem::path(shown ? shown->path : "").parent_path();
+      OpenSaveDialog(
+          s, "Load node models: a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
+          (folder / "").string(), [&s](const std::string& path) -> Outcome {
+            const std::size_t before = s.workspace.model_files().size();
+            s.workspace.AddModels(path);
+            s.workspace.RenewAll(s.now);
+            if (s.workspace.model_files().size() > before) return {};
+            return Problem{s.workspace.model_problems().back().message};
+          });
     });
   }
 

@@ -41,6 +41,8 @@ class CanvasTile {
     CanvasOptions options;
     options.minimap = state_.screen.tiles.minimap;
     options.wheel_zooms = state_.screen.wheel_zooms;
+    // Who types looks at the tree; who steps through a run, at values beside the mouse.
+    options.tooltips = !state_.input.by_keys || state_.workspace.run();
     if (const Box* label = ui_.items.Find("sim/chance_origin")) options.occupied = *label;
     options.live = state_.workspace.tree_state();
     if (const RunView* const run = state_.workspace.run()) {

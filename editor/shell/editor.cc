@@ -336,6 +336,12 @@ void Editor::Apply(const InputEvents& input) {
   run_key_ = 0;
   Key key_before = 0;
   for (const InputEvent& event : queue_.TakeFrame()) {
+    const auto* pressed = std::get_if<KeyEvent>(&event);
+    if (!pressed) {
+      state_.input.by_keys = state_.input.by_keys && std::get_if<TypedText>(&event);
+    } else if (pressed->down && !IsModifier(pressed->key)) {
+      state_.input.by_keys = true;
+    }
     if (const auto* move = std::get_if<MouseMove>(&event)) io.MousePos = {move->x, move->y};
     if (const auto* button = std::get_if<MouseButton>(&event)) {
       state_.menu.is_alone = false;

@@ -223,8 +223,9 @@ Outcome MayReplace(EditorState& state, const std::string& path) {
 
 std::string ShownFolder(const EditorState& state) {
   std::error_code error;
-  const fs::path path = fs::absolute(Split(state).first, error).lexically_normal();
-  return path.string();
+  fs::path folder = Split(state).first;
+  if (folder.empty()) folder = ".";  // the one that the editor was started in
+  return fs::absolute(folder, error).lexically_normal().string();
 }
 
 std::vector<FileRow> FileRows(EditorState& state) {

@@ -31,7 +31,8 @@ void OpenFileDialog(EditorState& state);
 /// HOST:PORT is asked for: it begins with the robot that was met last.
 void OpenConnectDialog(EditorState& state);
 
-/// `save` is asked with the path; with a problem the dialog stays.
+/// For a path that need not be there yet, or that is not opened as a tree or record. `save` is
+/// asked with the path; with a problem the dialog stays.
 void OpenSaveDialog(EditorState& state, std::string hint, const std::string& path,
                     std::function<Outcome(const std::string&)> save);
 

@@ -190,6 +190,7 @@ struct Typing {
 /// What goes to fields to type in.
 struct FieldInput {
   std::vector<KeyEvent> keys;  ///< pressed in this frame
+  bool by_keys = false;        ///< one was pressed since the mouse was used
   Typing typing;
   std::string focus_field;  ///< path of the field to type in next
   std::string type_filter;  ///< typed above the node types

@@ -198,6 +198,8 @@ class PopupWindow {
     ImGui::PushFont(ui_.fonts.For(error, Face::kSans, 13 * ui_.scale));
     ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.error);
     ImGui::TextUnformatted(error.c_str());
+    ui_.items.Add("popup/error",
+                  {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
     ImGui::PopStyleColor();
     ImGui::PopFont();
   }
@@ -225,6 +227,10 @@ class PopupWindow {
     const bool is_changed =
         ImGui::InputText("##input", &state_.popup.text, flags, TakeNewText, &state_.popup);
     ImGui::PopID();
+    if (ImGui::IsItemDeactivated() && Confirmed(state_)) {  // if it stays, one goes on typing
+      state_.popup.is_new = true;
+      state_.popup.selects_text = false;
+    }
     if (is_changed) {
       state_.popup.choice = 0;
       state_.popup.files.walked = false;
@@ -283,6 +289,7 @@ class PopupWindow {
   void Preview(const std::vector<Choice>& rows) {
     state_.popup.rows = rows.size();
     const bool has_choice = !HasField();
+    if (rows.empty() && !has_choice) return;
     int chosen = Chosen(rows, has_choice);
     if (has_choice && Pressed(state_, kKeySpace) && !rows.empty()) chosen = state_.popup.choice;
     if (chosen < 0) return;

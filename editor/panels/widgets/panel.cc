@@ -7,6 +7,7 @@ namespace coppice::editor {
 namespace {
 
 constexpr float kTooltipWidth = 420;  // at most
+constexpr float kLeastNote = 24;      // of a note that is shortened, or it is left out
 
 }  // namespace
 
@@ -25,7 +26,10 @@ void Panel(const Ui& ui, const std::string& path, const Box& box, std::string_vi
   const TextStyle small{Face::kSans, 11, ui.palette.text_dim};
   const float width = ui.Width(note, small);
   const float room = box.width() - 3 * pad - used;
-  ui.RowText(list, {box.max.x - pad - std::min(width, room), box.min.y}, header, note, small, room);
+  if (room >= std::min(width, kLeastNote * ui.scale)) {
+    ui.RowText(list, {box.max.x - pad - std::min(width, room), box.min.y}, header, note, small,
+               room);
+  }
   ImGui::SetCursorScreenPos({box.min.x + 1, box.min.y + header});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const Point size = {box.width() - 2, box.height() - header - 2};

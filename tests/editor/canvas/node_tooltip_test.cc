@@ -23,6 +23,13 @@ TEST(NodeTooltip, AppearsBesideTheMouseAndGoesAway) {
   driver.Frames(4);
   EXPECT_GT(driver.CountColor(beside, panel, 2), before + 3000);
   driver.Picture("tooltip");
+  driver.Press(kKeyTab);  // who types sees the tree
+  driver.Frames(4);
+  EXPECT_EQ(driver.CountColor(beside, panel, 2), before);
+  driver.Press(kKeyEscape);
+  driver.MoveTo(node.center() + Point{1, 0});
+  driver.Frames(4);
+  EXPECT_GT(driver.CountColor(beside, panel, 2), before + 3000);
   driver.MoveTo({canvas.min.x + 8, canvas.max.y - 8});
   driver.Frames(4);
   EXPECT_EQ(driver.CountColor(beside, panel, 2), before);

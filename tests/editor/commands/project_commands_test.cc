@@ -122,9 +122,17 @@ TEST_F(ProjectCommandsTest, NodeModelsAreLoadedFromAFile) {
   const TemporaryFile models("models.xml",
                              R"(<root BTCPP_format="4"><TreeNodesModel><Action ID="Step">)"
                              R"(<input_port name="to"/></Action></TreeNodesModel></root>)");
+  const auto dialog = [this] { return driver_.editor.state().popup.kind == Popup::kOpen; };
   driver_.editor.state().commands.Run("file.models");
   driver_.Frames();
+  EXPECT_TRUE(driver_.Has("popup/0")) << "the folder is listed";
+  Answer("/nowhere.xml");
+  EXPECT_TRUE(dialog());
+  driver_.Press(kKeyEnter);  // the same once more
+  EXPECT_TRUE(dialog());
+  driver_.Press('A', kCtrl);
   Answer(models.path());
+  EXPECT_FALSE(dialog());
   driver_.Frames(5);
   const Scene& scene = *driver_.view().scene();
   EXPECT_EQ(scene.nodes[scene.FindPath("1.2.1.1")].shape, Shape::kAction);

@@ -26,6 +26,19 @@ TEST(Popup, StaysAndSaysWhyAFileCannotBeOpened) {
   EXPECT_NE(driver.editor.state().popup.error, "");
 }
 
+TEST(Popup, HasRoomForItsErrorWithoutRows) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  driver.Press('H', kCtrl);
+  driver.Type("nowhere");
+  driver.Press(kKeyEnter);
+  driver.Frames();
+  ASSERT_EQ(driver.editor.state().popup.error, "not found");
+  EXPECT_LT(driver.BoxOf("popup/error").max.y, driver.BoxOf("popup").max.y - 4);
+}
+
 TEST(Popup, RunsTheChosenCommandOfThePalette) {
   const TemporaryFile file("small.xml", kSmallFile);
   Driver driver;
