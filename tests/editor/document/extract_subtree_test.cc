@@ -63,7 +63,7 @@ TEST_F(ExtractSubTreeTest, TheNewTreeStandsBehindTheOldOne) {
   EXPECT_EQ(ExtractSubTree(draft, rules_, "Go", {}).problem(), "");
   EXPECT_THAT(draft.document().text(), HasSubstr(R"(
       <FindPlace name="find" place="{place}"/>
-      <SubTree ID="Go" place="{place}" speed="{speed}"/>
+      <SubTree ID="Go" place="{place}" speed="{speed}" done="{done}"/>
       <Beep/>
     </Sequence>
   </BehaviorTree>
