@@ -34,6 +34,7 @@ enum class ProblemKind : std::uint8_t {
   kEmptyTree,    ///< of this ID
   kInScript,     ///< the place lies within a script: what is meant stands for one word of it
   kCannotWrite,  ///< the hint tells why
+  kOldFormat,    ///< of the file, or it does not say its format
 };
 
 struct ProblemSubject {

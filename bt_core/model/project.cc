@@ -29,8 +29,6 @@ std::string LineOf(const Document& document, ElementIndex element) {
   return where.file + ":" + std::to_string(where.line);
 }
 
-ProblemSubject AboutFormat() { return {ProblemKind::kOther, "BTCPP_format"}; }
-
 template <class Map>
 const typename Map::mapped_type* FindIn(const Map& map, std::string_view id) {
   const auto found = map.find(id);
@@ -90,9 +88,10 @@ class ProjectReader {
     const bool says_so =
         document.FindAttribute(document.element(kRootElement), "BTCPP_format") != nullptr;
     if (says_so || told_of_format_3 || edit.size() > 1) {
-      diagnostics_.Warning(
-          document.Location(document.element(kRootElement).offset), "format 3 is read as format 4",
-          "\"coppice upgrade -i " + document.file() + "\" makes it format 4", AboutFormat());
+      diagnostics_.Warning(document.Location(document.element(kRootElement).offset),
+                           "format 3 is read as format 4",
+                           "\"coppice upgrade -i " + document.file() + "\" makes it format 4",
+                           {ProblemKind::kOldFormat, ""});
     } else {
       WarnOfNoFormat(document);
     }
@@ -112,7 +111,7 @@ class ProjectReader {
 
   void WarnOfNoFormat(const Document& document) {
     diagnostics_.Warning(document.Location(document.element(kRootElement).offset),
-                         "no BTCPP_format; read as format 4", "", AboutFormat());
+                         "no BTCPP_format; read as format 4", "", {ProblemKind::kOldFormat, ""});
   }
 
   void Add(Document document) {

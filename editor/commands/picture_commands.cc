@@ -62,11 +62,8 @@ void AddPictureCommands(EditorState& state) {
                         if (!state.workspace.view()) {
                           return state.Notify("there is no tree to compare", state.now, true);
                         }
-                        const OpenFile* const file = state.workspace.file();
-                        const std::filesystem::path shown = file ? file->path : "";
-                        OpenSaveDialog(
+                        OpenPickDialog(
                             state, "Compare with a file; empty: with what was saved last",
-                            (shown.parent_path() / "").string(),
                             [&state](const std::string& path) { return Compare(state, path); });
                       }});
   state.commands.Add({"file.stop_comparing", "Stop comparing", {'D', kAlt | kShift}, [&state] {

@@ -1,7 +1,6 @@
 #include "editor/commands/project_commands.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <utility>
@@ -203,12 +202,9 @@ class ProjectCommands {
 
   void AddModels() {
     Add("file.models", "Load node models", {}, [&s = state_] {
-      const OpenFile* const shown = s.workspace.file();
-      const std::filesystem::path folder =
-          std::filesystem::path(shown ? shown->path : "").parent_path();
-      OpenSaveDialog(
+      OpenPickDialog(
           s, "Load node models: a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
-          (folder / "").string(), [&s](const std::string& path) -> Outcome {
+          [&s](const std::string& path) -> Outcome {
             const std::size_t before = s.workspace.model_files().size();
             s.workspace.AddModels(path);
             s.workspace.RenewAll(s.now);

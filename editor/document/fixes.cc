@@ -107,11 +107,13 @@ std::vector<Fix> FixesFor(const Document& document, const Diagnostic& problem) {
       fixes.push_back({"load models", {}, "", "file.models"});
       if (!name.empty()) fixes.push_back({"define it", {}, "", "type.define"});
       break;
+    case ProblemKind::kOldFormat:
+      fixes.push_back({"make it format 4", {}, "", "", true});
+      break;
     case ProblemKind::kInScript:
     case ProblemKind::kEmptyTree:
     case ProblemKind::kCannotWrite:
     case ProblemKind::kOther:
-      if (name == "BTCPP_format") fixes.push_back({"make it format 4", {}, "", "", true});
       break;
   }
   return fixes;

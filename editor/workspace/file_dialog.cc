@@ -160,6 +160,11 @@ void Complete(EditorState& state, const FileRow& row) {
   SetText(state, is_listed ? before + row.title : row.path);
 }
 
+std::string FolderOfShownFile(const EditorState& state) {
+  const OpenFile* const shown = state.workspace.file();
+  return shown ? fs::path(shown->path).parent_path().string() : "";
+}
+
 void Close(EditorState& state) { state.popup.kind = Popup::kNone; }
 
 void Open(EditorState& state, const std::string& path) {
@@ -195,9 +200,8 @@ void Save(EditorState& state) {
 void OpenFileDialog(EditorState& state) {
   state.OpenPopup(Popup::kOpen);
   state.popup.choice = kBelowUp;
-  const OpenFile* const shown = state.workspace.file();
   state.popup.files = {};
-  if (shown) state.popup.files.folder = fs::path(shown->path).parent_path().string();
+  state.popup.files.folder = FolderOfShownFile(state);
 }
 
 void OpenConnectDialog(EditorState& state) {
@@ -213,6 +217,12 @@ void OpenSaveDialog(EditorState& state, std::string hint, const std::string& pat
   state.popup.files.folder = fs::path(path).parent_path().string();
   state.popup.files.hint = std::move(hint);
   state.popup.files.save = std::move(save);
+}
+
+void OpenPickDialog(EditorState& state, std::string hint,
+                    std::function<Outcome(const std::string&)> use) {
+  OpenSaveDialog(state, std::move(hint), (fs::path(FolderOfShownFile(state)) / "").string(),
+                 std::move(use));
 }
 
 Outcome MayReplace(EditorState& state, const std::string& path) {

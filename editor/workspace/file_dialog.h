@@ -31,10 +31,13 @@ void OpenFileDialog(EditorState& state);
 /// HOST:PORT is asked for: it begins with the robot that was met last.
 void OpenConnectDialog(EditorState& state);
 
-/// For a path that need not be there yet, or that is not opened as a tree or record. `save` is
-/// asked with the path; with a problem the dialog stays.
+/// `save` is asked with the path; with a problem the dialog stays.
 void OpenSaveDialog(EditorState& state, std::string hint, const std::string& path,
                     std::function<Outcome(const std::string&)> save);
+
+/// For a file that is not opened itself: listed is the folder of the shown one. `use` as `save`.
+void OpenPickDialog(EditorState& state, std::string hint,
+                    std::function<Outcome(const std::string&)> use);
 
 /// A problem the first time if there is a file of that name; said once more, it may be replaced.
 Outcome MayReplace(EditorState& state, const std::string& path);
