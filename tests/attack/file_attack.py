@@ -534,6 +534,7 @@ class Editor(FileAttack):
 if __name__ == "__main__":
     PROGRAM = os.path.abspath(sys.argv.pop(1))
     MEMORY = int(sys.argv.pop(1)) << 20  # bytes
+    PATIENCE *= int(sys.argv.pop(1))  # a program that is watched by a sanitizer is slower
     if sys.argv.pop(1) != "ON":
         del Editor
     if sys.argv.pop(1) != "ON":

@@ -23,7 +23,8 @@ class Latest {
             })) {}
   ~Latest() { subscriber_.shutdown(); }
 
-  /// Empty as long as none has come.
+  /// Empty as long as none has come. Who goes through what is in it keeps it: the next message ends
+  /// what nobody holds.
   boost::shared_ptr<const Message> get() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return message_;

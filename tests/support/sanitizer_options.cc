@@ -39,6 +39,7 @@ extern "C" const char* __tsan_default_suppressions() {
          "race:ros::ServiceServerLink::\n"
          "race:ros::Subscription::handleMessage\n"
          "race:ros::SubscriptionQueue::Item::~Item\n"
+         "race:sp_counted_impl_pd<ros::Subscription::PendingConnection*\n"
          "race:ros::Transport\n"
          "race:ros::XMLRPCManager::\n"
          "race:std::vector<ros::SerializedMessage*>::~vector\n"

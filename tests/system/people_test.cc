@@ -67,8 +67,9 @@ TEST_F(People, ThoseWhomACameraSeesAreSaidToBeSeenByIt) {
   ros::NodeHandle node;
   Latest<coppice_msgs::People> people(node, "/people");
   const auto by_both = [&] {
-    if (!people.get()) return false;
-    for (const coppice_msgs::Person& person : people.get()->people) {
+    const auto newest = people.get();
+    if (!newest) return false;
+    for (const coppice_msgs::Person& person : newest->people) {
       constexpr int kBoth = coppice_msgs::Person::LIDAR | coppice_msgs::Person::CAMERA;
       if ((person.seen_by & kBoth) == kBoth) return true;
     }

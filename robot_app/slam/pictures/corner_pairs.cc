@@ -2,8 +2,10 @@
 
 #include <limits>
 
-// Processors that count bits in one instruction do so; Debian's compiler asks for less.
-#if defined(__x86_64__)
+// Processors that count bits in one instruction do so; Debian's compiler asks for less. Which it
+// is, is found out by a function that runs before ThreadSanitizer is there, which watches it:
+// under that there is only the one for all.
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 #define COPPICE_COUNTS_BITS __attribute__((target_clones("popcnt", "default")))
 #else
 #define COPPICE_COUNTS_BITS

@@ -87,7 +87,8 @@ TEST_F(ExpressionNodeTest, DrawsTheStripsOfAllLimbsForRviz) {
     const auto strips = strips_.get();
     return strips && strips->markers.size() == 4 && strips->markers[0].color.g > 0.3;
   }));
-  for (const auto& strip : strips_.get()->markers) {
+  const auto strips = strips_.get();
+  for (const auto& strip : strips->markers) {
     EXPECT_EQ(strip.pose.position.y > 0, strip.header.frame_id.find("left") == 0)
         << strip.header.frame_id;
   }

@@ -123,9 +123,9 @@ TEST_F(MonitorNodeTest, TheSupervisorsWordCountsWhileItStartsANodeAndChangesTheC
 TEST_F(MonitorNodeTest, TheAggregateIsPublishedFourTimesPerSecondEvenWithoutReports) {
   ASSERT_TRUE(graph_.WaitFor([&] { return publications_ > 0; }));
   const int before = publications_;
-  const ros::WallTime begin = ros::WallTime::now();
-  ASSERT_TRUE(graph_.WaitFor([&] { return publications_ >= before + 4; }));
-  EXPECT_GT((ros::WallTime::now() - begin).toSec(), 0.6);
+  const ros::Time begin = health_.header.stamp;
+  ASSERT_TRUE(graph_.WaitFor([&] { return publications_ >= before + 8; }));
+  EXPECT_GT((health_.header.stamp - begin).toSec(), 1.2) << "two seconds, if none comes late";
 }
 
 TEST_F(MonitorNodeTest, BadInputEndsAProgramWithOneLineAndStatus2) {

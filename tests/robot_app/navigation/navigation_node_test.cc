@@ -29,6 +29,7 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/robot_app/simulation_speed.h"
 #include "tests/robot_app/text_of.h"
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
@@ -149,7 +150,7 @@ class NavigationNode : public testing::Test {
     navigation_ = ChildProcess(command, Log("navigation"));
   }
   void StartSimulator(const std::string& start, const std::vector<std::string>& arguments = {}) {
-    std::vector<std::string> command = {kPrograms + "coppice-simulator", "_speed:=6",
+    std::vector<std::string> command = {kPrograms + "coppice-simulator", SimulationSpeed(6),
                                         "_start:=" + start, "_state_of_charge:=0.5"};
     command.insert(command.end(), arguments.begin(), arguments.end());
     simulator_ = ChildProcess(command, Log("simulator"));

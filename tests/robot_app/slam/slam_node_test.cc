@@ -118,8 +118,9 @@ TEST_F(SlamNodeTest, MapsFollowsSavesAndGoesOnInANewSession) {
   EXPECT_GE(graph.get()->markers[0].points.size(), 4U);
   const Latest<diagnostic_msgs::DiagnosticArray> state(node_, "/diagnostics");
   const auto says = [&](const std::string& message) {
-    if (!state.get()) return false;
-    const auto& all = state.get()->status;
+    const auto newest = state.get();
+    if (!newest) return false;
+    const auto& all = newest->status;
     return std::any_of(all.begin(), all.end(), [&message](const auto& status) {
       return status.name == "slam: map" && status.message == message;
     });
@@ -174,8 +175,9 @@ TEST_F(SlamNodeTest, KilledWhileItMapsItHasLostNothing) {
   StartSlam("killed");
   const Latest<diagnostic_msgs::DiagnosticArray> state(node_, "/diagnostics");
   const auto key_frames = [&]() -> std::size_t {
-    if (!state.get()) return 0;
-    for (const auto& status : state.get()->status) {
+    const auto newest = state.get();
+    if (!newest) return 0;
+    for (const auto& status : newest->status) {
       if (status.name != "slam: map") continue;
       for (const auto& value : status.values) {
         if (value.key == "key frames") return std::stoul(value.value);

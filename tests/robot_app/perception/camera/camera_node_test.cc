@@ -7,6 +7,8 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 
+#include <mutex>
+
 #include "robot_app/common/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/latest.h"
@@ -80,14 +82,19 @@ TEST_F(CameraNodeTest, TellsOfACameraWhoseDataIsDamaged) {
 }
 
 TEST_F(CameraNodeTest, WithoutTheLidarItLooksAtTheDepthBetweenTwoPictures) {
+  std::mutex mutex;  // the messages come on another thread
   std::vector<ros::Time> moments;
   const boost::function<void(const coppice_msgs::Sightings::ConstPtr&)> add =
-      [&](const coppice_msgs::Sightings::ConstPtr& seen) { moments.push_back(seen->header.stamp); };
+      [&](const coppice_msgs::Sightings::ConstPtr& seen) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        moments.push_back(seen->header.stamp);
+      };
   const ros::Subscriber subscriber =
       node_.subscribe<coppice_msgs::Sightings>("/people/sightings", 10, add);
   StartSimulation();
   StartCamera({"_frame:=map", "_cameras:=front", "_lidar:=false", "_period:=10"});
   const auto looks_often = [&] {
+    const std::lock_guard<std::mutex> lock(mutex);
     for (std::size_t i = 1; i < moments.size(); ++i) {
       const double between = (moments[i] - moments[i - 1]).toSec();
       if (between > 0 && between < 4) return true;
