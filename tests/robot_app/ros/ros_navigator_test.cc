@@ -76,7 +76,10 @@ class ForgetfulServer {
               Take(goal->goal_id);
             })),
         timer_(node.createWallTimer(ros::WallDuration(0.05), [this](const auto& /*event*/) {
-          if (goals_ == 0 || !takes_) status_.publish(actionlib_msgs::GoalStatusArray());
+          const std::lock_guard<std::mutex> lock(mutex_);
+          if (goals_ == 0 || (!takes_ && goals_ <= forgets_)) {
+            status_.publish(actionlib_msgs::GoalStatusArray());
+          }
         })) {}
   int goals() const { return goals_; }
   /// Of the goal that came last.
@@ -92,10 +95,8 @@ class ForgetfulServer {
   }
 
   void Take(const actionlib_msgs::GoalID& id) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      last_ = id.id;
-    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_ = id.id;
     if (++goals_ <= forgets_ && !takes_) return;
     actionlib_msgs::GoalStatus taken;
     taken.goal_id = id;
