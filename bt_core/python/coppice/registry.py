@@ -44,6 +44,9 @@ class Registry:
         if not leaf._methods:
             raise TypeError(f"{leaf.__name__} derives from Leaf; derive it from Condition, "
                             "SyncAction, Action, AsyncAction, Control or Decorator")
+        if not all(leaf._methods[:2]):
+            raise TypeError(f"{leaf.__name__} has no method that is called when it is ticked: "
+                            "does it have _methods of its own?")
         self._native.add_node(
             id or leaf.__name__, leaf._category, leaf.description(), list(leaf._ports),
             lambda node: leaf._make(node, arguments, keywords))

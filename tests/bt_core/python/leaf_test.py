@@ -453,3 +453,15 @@ def test_a_class_that_has_methods_of_its_own_for_those_of_its_base_is_refused(co
             return True
     with pytest.raises(TypeError, match=f"4 methods, not {count}"):
         LeafHarness(Own).tick()
+
+
+@pytest.mark.parametrize("methods", [("",) * 4, ("check", "", "", ""), ("", "check", "", "")])
+def test_a_class_without_a_method_to_tick_it_by_is_refused(methods):
+    class Silent(Condition):
+        """It would be true whatever check() says."""
+        _methods = methods
+
+        def check(self) -> bool:
+            return False
+    with pytest.raises(TypeError, match="Silent has no method that is called when it is ticked"):
+        Registry([Silent])
