@@ -25,6 +25,7 @@ extern "C" const char* __lsan_default_suppressions() {
 extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __tsan_default_suppressions() {
   return "race:libzmq.so\n"
+         "race:libopencv_objdetect.so\n"
          "called_from_lib:libzmq.so\n"
          "called_from_lib:libsodium.so\n"
          "race:std::__cxx11::basic_string<char, *>::compare(char const*) const\n"

@@ -75,7 +75,7 @@ TEST_F(CameraNodeTest, TellsOfACameraWhoseDataIsDamaged) {
   coppice_msgs::InjectFault worn;
   worn.request.fault = "wear_camera";
   worn.request.target = "front";
-  worn.request.value = 180;  // all of it within twenty seconds
+  worn.request.value = 180 / kSlowness;  // all of it within twenty seconds, when it looks so often
   ASSERT_TRUE(ros::service::call("/simulation/inject_fault", worn));
   const auto says = [&] { return Diagnosis().find("is the cable damaged?") != std::string::npos; };
   EXPECT_TRUE(Eventually(says, kPatience)) << Diagnosis();
