@@ -1,6 +1,7 @@
 // coppice-store: keeps the robot's messages outside of the robot.
 #include <ros/ros.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -41,7 +42,9 @@ const Command kExport{
      CommandOption::Text("--robot", "NAME", "of this one; else as the configuration says"),
      CommandOption::Text("--from", "TIME", "heard from then on: \"2026-11-25 08:00+01\""),
      CommandOption::Text("--to", "TIME", "and before that"),
-     CommandOption::Text("--files", "FOLDER", "what was left out and kept on the robot")}};
+     CommandOption::Text("--files", "FOLDER", "what was left out and kept on the robot"),
+     CommandOption::Whole("--patience", "S", 1, 86400,
+                          "how long each answer of the server may take; else 300")}};
 const Command kSchema{
     "coppice-store schema",
     "print what the server is to contain",
@@ -106,7 +109,8 @@ int Export(const Options& options) {
     return Fail("reads from PostgreSQL only; MongoDB has mongoexport");
   }
   const StoredQuery query{options.Get("--robot", config->robot), options.GetAll("--topic"),
-                          options.Get("--from"), options.Get("--to")};
+                          options.Get("--from"), options.Get("--to"),
+                          std::chrono::seconds(options.Whole("--patience", 300))};
   const auto exported = is_bag ? ExportBag(config->server, query, options.Get("--files"), path)
                                : ExportCsv(config->server, query, path);
   if (!exported) return Fail(exported.problem());

@@ -1,7 +1,12 @@
 #include "robot_app/storage/server/postgres_reader.h"
 
+#include <pthread.h>
+#include <sys/socket.h>
+
+#include <future>
 #include <map>
 #include <pqxx/pqxx>
+#include <stdexcept>
 
 #include "robot_app/storage/server/postgres_server.h"
 
@@ -10,7 +15,7 @@ namespace {
 
 constexpr const char* kFetch = "FETCH 1000 FROM stored";
 
-std::string Cursor(pqxx::work& work, const StoredQuery& query) {
+std::string Cursor(const pqxx::transaction_base& work, const StoredQuery& query) {
   std::string text =
       "DECLARE stored CURSOR FOR SELECT to_char(time AT TIME ZONE 'UTC', "
       "'YYYY-MM-DD HH24:MI:SS.US'), stamp, topic, m.type, m.md5, t.definition, document "
@@ -47,17 +52,43 @@ class Reader {
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const MessageType>> types_;
 };
 
+// libpq waits without end for an answer; hanging up ends that.
+pqxx::result Ask(pqxx::transaction_base& work, const std::string& question, Duration patience) {
+  const int socket = work.conn().sock();
+  std::promise<void> is_over;
+  auto is_late = std::async(std::launch::async, [socket, patience, end = is_over.get_future()] {
+    pthread_setname_np(pthread_self(), "patience");
+    if (end.wait_for(patience) == std::future_status::ready) return false;
+    shutdown(socket, SHUT_RDWR);
+    return true;
+  });
+  try {
+    pqxx::result answer = work.exec(question);
+    is_over.set_value();
+    return answer;
+  } catch (const std::exception&) {
+    is_over.set_value();
+    if (!is_late.get()) throw;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(patience).count();
+    throw std::runtime_error("the server has not answered for " + std::to_string(seconds) + " s");
+  }
+}
+
 }  // namespace
 
 Outcome ReadStored(const ServerConfig& server, const StoredQuery& query,
                    const std::function<bool(const StoredMessage& message)>& use) {
   try {
     pqxx::connection connection(ConnectionText(server));
-    pqxx::work work(connection);
-    work.exec(Cursor(work, query));
+    pqxx::nontransaction work(connection);  // pqxx::work would wait for an answer to its end, too
+    const auto ask = [&](const std::string& question) {
+      return Ask(work, question, query.patience);
+    };
+    ask("BEGIN");
+    ask(Cursor(work, query));
     Reader reader;
     while (true) {
-      const pqxx::result rows = work.exec(kFetch);
+      const pqxx::result rows = ask(kFetch);
       if (rows.empty()) return {};
       for (const pqxx::row& row : rows) {
         if (!use(reader.Read(row))) return {};

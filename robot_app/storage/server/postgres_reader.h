@@ -2,12 +2,14 @@
 #ifndef COPPICE_ROBOT_APP_STORAGE_SERVER_POSTGRES_READER_H_
 #define COPPICE_ROBOT_APP_STORAGE_SERVER_POSTGRES_READER_H_
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "bt_core/base/clock.h"
 #include "bt_core/base/outcome.h"
 #include "robot_app/storage/config/store_config.h"
 #include "robot_app/storage/messages/document.h"
@@ -20,6 +22,7 @@ struct StoredQuery {
   std::vector<std::string> topics;
   std::string from;  ///< as PostgreSQL reads a time: "2026-11-25 08:00+01"
   std::string to;    ///< before that
+  Duration patience = std::chrono::minutes(5);  ///< with each answer of the server
 };
 
 struct StoredMessage {
@@ -31,7 +34,8 @@ struct StoredMessage {
 };
 
 /// In the order in which they were heard, some at a time in memory, as they were when it began.
-/// `use` returns false to end it. A problem if the server does not answer, or does not understand.
+/// `use` returns false to end it. A problem if the server does not answer in time, or does not
+/// understand.
 Outcome ReadStored(const ServerConfig& server, const StoredQuery& query,
                    const std::function<bool(const StoredMessage& message)>& use);
 

@@ -4,6 +4,7 @@
 
 #include <pqxx/pqxx>
 
+#include "robot_app/storage/server/postgres_reader.h"
 #include "robot_app/storage/server/shipper.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/storage/local_postgres.h"
@@ -45,6 +46,12 @@ class PostgresServerTest : public testing::Test {
     return postgres_->Ask("SELECT " + columns + " FROM coppice.messages WHERE robot = '" + robot_ +
                               "' ORDER BY number",
                           "robots");
+  }
+  // Of somebody else, which may hold up what the store wants.
+  static pqxx::connection OtherSession() {
+    ServerConfig config = postgres_->owner();
+    config.database = "robots";
+    return pqxx::connection(ConnectionText(config));
   }
 
   static inline std::unique_ptr<LocalPostgres> postgres_;
@@ -148,6 +155,30 @@ TEST_F(PostgresServerTest, HasViewsThatCanBeAsked) {
   }
 }
 
+TEST_F(PostgresServerTest, GivesBackWhatItStored) {
+  ASSERT_EQ(server_.Store(MakeBatch({Make(1, R"({"x":1})"), Make(2, R"({"x":2})")})).problem, "");
+  StoredQuery query;
+  query.robot = robot_;
+  std::vector<std::string> found;
+  const auto use = [&](const StoredMessage& message) {
+    found.push_back(message.json);
+    return true;
+  };
+  EXPECT_TRUE(ReadStored(postgres_->by_network(), query, use));
+  EXPECT_THAT(found, ElementsAre(R"({"x": 1})", R"({"x": 2})"));
+}
+
+TEST_F(PostgresServerTest, IsNotReadFromAnyMoreWhenItDoesNotAnswer) {
+  ASSERT_EQ(server_.Store(MakeBatch({Make(1, "{}")})).problem, "");
+  pqxx::connection other = OtherSession();
+  pqxx::work lock(other);
+  lock.exec("LOCK TABLE coppice.messages IN ACCESS EXCLUSIVE MODE");
+  StoredQuery query;
+  query.patience = std::chrono::milliseconds(50);
+  const Outcome read = ReadStored(postgres_->by_network(), query, [](const auto&) { return true; });
+  EXPECT_THAT(read.problem(), HasSubstr("the server has not answered"));
+}
+
 // A spool with a shipper that does not wait long.
 class ShipperTest : public PostgresServerTest {
  protected:
@@ -160,12 +191,6 @@ class ShipperTest : public PostgresServerTest {
   }
   bool IsEmptySoon() const {
     return Eventually([this] { return spool_->Look().documents == 0; });
-  }
-  // Of somebody else, which may hold up what the store wants.
-  static pqxx::connection OtherSession() {
-    ServerConfig config = postgres_->owner();
-    config.database = "robots";
-    return pqxx::connection(ConnectionText(config));
   }
   static bool GivesUp(Shipper& shipper) {
     return Eventually([&] {
