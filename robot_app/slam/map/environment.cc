@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "bt_core/model/utf8.h"
+
 namespace coppice::robot::slam {
 namespace {
 
 constexpr std::array<const char*, 3> kNames = {"indoor", "hall", "outdoor"};
+constexpr std::size_t kLongestTold = 60;  // bytes of what somebody asks for
 
 }  // namespace
 
@@ -19,7 +22,8 @@ Expected<std::optional<Surroundings>> AskedSurroundings(const std::string& text)
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (text == kNames[i]) return std::optional(static_cast<Surroundings>(i));
   }
-  return Problem{"surroundings: expected auto, indoor, hall or outdoor, not \"" + text + "\""};
+  return Problem{"surroundings: expected auto, indoor, hall or outdoor, not \"" +
+                 PlainText(text, kLongestTold) + "\""};
 }
 
 SlamConfiguration ConfigurationFor(Surroundings surroundings) {

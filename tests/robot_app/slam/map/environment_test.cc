@@ -81,6 +81,7 @@ TEST(Environment, WhatIsAskedForIsFoundByItsName) {
   EXPECT_EQ(*AskedSurroundings("auto"), std::nullopt);
   EXPECT_EQ(AskedSurroundings("cellar").problem(),
             "surroundings: expected auto, indoor, hall or outdoor, not \"cellar\"");
+  EXPECT_LT(AskedSurroundings(std::string(8'000'000, 'x')).problem().size(), 200u);  // for a log
 }
 
 TEST(Environment, TheRangeOfTheMapIsShortIndoors) {
