@@ -63,11 +63,15 @@ bool TickStory::AddGuard(StepIndex index, const SlotValues& values, WhyStep& why
   return true;
 }
 
+// What the script of an action is worth decides nothing.
 void TickStory::AddScript(const SlotValues& values, WhyStep& why) const {
   for (const NodeScript& script : ScriptsOf(tree_, why.node)) {
     if (script.guard) continue;
+    const bool is_asked =
+        tree_.program->info[why.node].entry->manifest.category != NodeCategory::kAction;
     why.cause = WhyCause::kScript;
-    why.script = WhyScript{std::string(script.attribute), script.text, Test(tree_, script, values),
+    why.script = WhyScript{std::string(script.attribute), script.text,
+                           is_asked ? Test(tree_, script, values) : std::nullopt,
                            Read(ScriptReadings(tree_, script), why.node, values)};
     return;
   }

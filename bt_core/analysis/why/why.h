@@ -29,11 +29,11 @@ struct WhyValue {
   bool has_changed() const { return before && *before != value; }
 };
 
-/// A script of the node, with its answer.
+/// A script of the node, with its answer if it was asked for one.
 struct WhyScript {
   std::string attribute;  ///< "_skipIf", "code"
   std::string text;
-  std::optional<bool> answer;  ///< nothing: it threw
+  std::optional<bool> answer;  ///< nothing: it threw, or is the code of an action
   std::vector<WhyValue> values;
 };
 
@@ -42,7 +42,7 @@ enum class WhyCause : std::uint8_t {
   kOwn,        ///< the node itself: a leaf, or an inner node that ticked no child
   kChild,      ///< its child `decisive`
   kGuard,      ///< its guard `script`; the node itself was not ticked
-  kScript,     ///< the answer of its script
+  kScript,     ///< its script, with the answer
   kException,  ///< it threw `text`
   kInjected,   ///< somebody outside decided
   kHalted,     ///< no tick: it was halted, or made idle

@@ -53,6 +53,15 @@ TEST(Why, NamesWhatChangedSinceTheTickBefore) {
             R"("root" did not reach "work", because "safety", which comes before it, is SUCCESS)");
 }
 
+TEST(Why, TheCodeOfAnActionIsNoCondition) {
+  RecordedRun run(
+      "<BehaviorTree ID='Main'><Script name='counts' code='count := 3'/></BehaviorTree>");
+  run.Tick();
+  Asked asked(run.keeper.run);
+  EXPECT_THAT(asked.Print("counts"), HasSubstr(R"(counts  SUCCESS  code="count := 3")"));
+  EXPECT_THAT(asked.Print("counts"), testing::Not(HasSubstr("is true")));
+}
+
 TEST(Why, OfATickThatStandsAtABreakpointTellsTheWalkSoFar) {
   RecordedRun run(kPatrol, Lamps());
   run.executor.Writer<double>("battery").Send(50);
