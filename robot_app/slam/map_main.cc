@@ -1,5 +1,7 @@
 // coppice-map: what is in a map of many sessions; paints it and writes the grid that the map server
 // reads.
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -48,23 +50,31 @@ const Command kMap{
      CommandOption::Real("--resolution", "M", 0.02, 1, "of voxels and plan; else 0.1"),
      CommandOption::Whole("--session", "N", 1, 1000000,
                           "show the map in which this session lies; else 1"),
-     CommandOption::Whole("--memory", "MIB", 16, 1 << 20,
-                          "that it may take; else 200, and 12 times the file")}};
+     CommandOption::Whole(
+         "--memory", "MIB", 16, 1 << 20,
+         "that it may take; else 200, and 12 times what the file takes on the disk")}};
 
 int Fail(const std::string& problem) {
   std::fprintf(stderr, "coppice-map: %s\n", problem.c_str());
   return 1;
 }
 
+// Bytes on the disk; a file with holes may be as long as it likes.
+std::size_t BytesOnDisk(const std::string& file) {
+  constexpr std::size_t kBlock = 512;  // of st_blocks
+  struct stat info = {};
+  if (stat(file.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return 0;
+  return static_cast<std::size_t>(info.st_blocks) * kBlock;
+}
+
 // Bytes of the file, or of the largest one in the folder.
 std::size_t LargestIn(const std::string& name) {
-  namespace fs = std::filesystem;
+  std::size_t largest = BytesOnDisk(name);
   std::error_code error;
-  std::uintmax_t largest = fs::is_regular_file(name, error) ? fs::file_size(name, error) : 0;
-  for (const auto& entry : fs::directory_iterator(name, error)) {
-    if (entry.is_regular_file(error)) largest = std::max(largest, entry.file_size(error));
+  for (const auto& entry : std::filesystem::directory_iterator(name, error)) {
+    largest = std::max(largest, BytesOnDisk(entry.path()));
   }
-  return std::min<std::uintmax_t>(largest, std::size_t{4} << 30);
+  return std::min(largest, std::size_t{4} << 30);
 }
 
 Expected<LoadedMap> Load(const std::string& name) {

@@ -112,6 +112,8 @@ def slam_map(*key_frames, name=b"s"):
 
 class Maps(FileAttack):
     POINTS = [(200, 100 * i, 50) for i in range(-5, 5)]  # cm
+    HALL = [(7 * i % 60000 - 30000, 11 * i % 60000 - 30000, 13 * i % 60000 - 30000)
+            for i in range(30000)]  # without walls
 
     def paint(self, content, codes=(1,)):
         self.write("m.slam", content)
@@ -124,9 +126,14 @@ class Maps(FileAttack):
                                 key_frame(far, far, self.POINTS)), codes=(0, 1))
 
     def test_a_hall_without_walls_takes_no_more_memory_than_there_is(self):
-        points = [(7 * i % 60000 - 30000, 11 * i % 60000 - 30000, 13 * i % 60000 - 30000)
-                  for i in range(30000)]
-        self.assertIn("--memory", self.paint(slam_map(key_frame(0, 0, points, 1000.0))))
+        self.assertIn("--memory", self.paint(slam_map(key_frame(0, 0, self.HALL, 1000.0))))
+
+    def test_a_file_of_holes_beside_it_allows_no_more(self):
+        os.mkdir(self.path("maps"))
+        with open(self.path("maps/hollow"), "wb") as file:
+            file.truncate(3 << 30)
+        self.write("maps/map-000001.slam", slam_map(key_frame(0, 0, self.HALL, 1000.0)))
+        self.assertIn("--memory", self.run_program("map", "maps", "--plan", "plan.jpg", codes=(1,)))
 
     def test_distances_that_are_none_are_damaged(self):
         for distance in (float("nan"), float("inf"), -1, 1e9):
