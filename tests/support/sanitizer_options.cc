@@ -26,6 +26,7 @@ extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserv
 extern "C" const char* __tsan_default_suppressions() {
   return "race:libzmq.so\n"
          "race:libopencv_objdetect.so\n"
+         "race:libcpp_common.so\n"
          "called_from_lib:libzmq.so\n"
          "called_from_lib:libsodium.so\n"
          "race:std::__cxx11::basic_string<char, *>::compare(char const*) const\n"
