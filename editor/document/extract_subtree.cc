@@ -3,6 +3,7 @@
 
 #include "bt_core/model/element_edits.h"
 #include "bt_core/model/layout.h"
+#include "bt_core/model/upgrade.h"
 #include "bt_core/model/xml_text.h"
 #include "editor/document/key_names.h"
 #include "editor/document/subtree_edits.h"
@@ -60,10 +61,11 @@ Outcome ExtractSubTree(Draft& draft, const NodeRules& rules, const std::string& 
   const Document& document = draft.document();
   const ElementIndex branch = nodes[0];
   const ElementIndex tree = TreeOf(document, branch);
+  const bool is_format_3 = IsFormat3(document);  // in which braces would be part of the key
   std::string use = "<SubTree ID=\"" + EscapeXmlValue(id, '"') + "\"";
   for (const std::string& key : KeysAcross(document, rules, branch, callers)) {
     if (!IsXmlName(key)) return Problem{"the key \"" + key + "\" cannot be the name of a port"};
-    use += " " + key + "=\"{" + key + "}\"";
+    use += " " + key + (is_format_3 ? "=\"" + key + "\"" : "=\"{" + key + "}\"");
   }
   use += "/>";
   const Edit edit =

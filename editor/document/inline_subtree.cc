@@ -5,6 +5,7 @@
 #include "bt_core/model/element_edits.h"
 #include "bt_core/model/keys.h"
 #include "bt_core/model/layout.h"
+#include "bt_core/model/upgrade.h"
 #include "bt_core/model/xml_text.h"
 #include "bt_core/nodes/guards.h"
 #include "editor/document/key_names.h"
@@ -56,17 +57,19 @@ class Inliner {
   }
 
   Outcome RenameKeys() {
+    const bool is_format_3 = IsFormat3(draft_.document());
     bool renamed = false;
     for (const KeyName& name : KeyNamesIn(from_, rules_.models(), root_)) {
       if (name.is_global) continue;
       const Attribute* given =
           draft_.document().FindAttribute(draft_.document().element(subtree_), name.key);
-      if (given && KeyOf(given->value, name.key).empty()) {
+      const std::string_view outer =
+          given ? KeyHandedOn(draft_.document().element(subtree_), *given, is_format_3) : "";
+      if (given && outer.empty()) {
         if (Outcome put = PutLiteral(name, given->value); !put) return put;
         continue;
       }
-      const std::string key =
-          given ? std::string(KeyOf(given->value, name.key)) : PrivateKey(name.key);
+      const std::string key = given ? std::string(outer) : PrivateKey(name.key);
       if (key == name.key) continue;
       renamed = true;
       edit_ = Merge(std::move(edit_), {WithKey(name, key)});

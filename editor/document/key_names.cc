@@ -4,6 +4,7 @@
 #include <set>
 
 #include "bt_core/model/keys.h"
+#include "bt_core/model/upgrade.h"
 #include "bt_core/model/xml_text.h"
 #include "bt_core/nodes/guards.h"
 #include "bt_core/script/token.h"
@@ -46,7 +47,7 @@ class RawPlace {
 class Collector {
  public:
   Collector(const Document& document, const NodeModels& models)
-      : document_(document), models_(models) {}
+      : document_(document), models_(models), is_format_3_(IsFormat3(document)) {}
 
   std::vector<KeyName> Run(ElementIndex branch) {
     const ElementIndex end = EndOfBranch(document_, branch);
@@ -77,7 +78,9 @@ class Collector {
                bool is_subtree) {
     if (IsReservedAttribute(attribute.name)) return;
     KeyName name;
-    std::string_view key = KeyOf(attribute.value, attribute.name);
+    const Element& of = document_.element(element);
+    std::string_view key = KeyHandedOn(of, attribute, is_format_3_);
+    if (!key.empty() && KeyOf(attribute.value, attribute.name).empty()) name.form = KeyForm::kPlain;
     if (key.empty() && port && port->name == "output_key") {
       name.form = KeyForm::kPlain;
       key = attribute.value;
@@ -126,6 +129,7 @@ class Collector {
 
   const Document& document_;
   const NodeModels& models_;
+  const bool is_format_3_;
   std::vector<KeyName> names_;
   std::set<std::string, std::less<>> written_;
 };
@@ -144,6 +148,12 @@ ElementIndex EndOfBranch(const Document& document, ElementIndex element) {
 std::vector<KeyName> KeyNamesIn(const Document& document, const NodeModels& models,
                                 ElementIndex branch) {
   return Collector(document, models).Run(branch);
+}
+
+std::string_view KeyHandedOn(const Element& element, const Attribute& attribute, bool is_format_3) {
+  const std::string_view key = KeyOf(attribute.value, attribute.name);
+  const bool may_be_plain = is_format_3 && element.tag == "SubTree" && key.empty();
+  return may_be_plain && IsKeyName(attribute.value) ? std::string_view(attribute.value) : key;
 }
 
 Splice WithKey(const KeyName& name, std::string_view key) {

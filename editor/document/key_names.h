@@ -19,7 +19,7 @@ namespace coppice::editor {
 
 enum class KeyForm : std::uint8_t {
   kBraces,  ///< goal="{key}", or goal="{=}": the key has the name of the port
-  kPlain,   ///< output_key="key"
+  kPlain,   ///< output_key="key", and of a SubTree in format 3: goal="key"
   kScript   ///< a word of a script
 };
 
@@ -41,6 +41,10 @@ struct KeyName {
 /// that no model describes is taken for an input.
 std::vector<KeyName> KeyNamesIn(const Document& document, const NodeModels& models,
                                 ElementIndex branch);
+
+/// The key that an attribute hands on; empty if it is a literal. A <SubTree> of format 3 names it
+/// without braces.
+std::string_view KeyHandedOn(const Element& element, const Attribute& attribute, bool is_format_3);
 
 /// Names another key in that place; `key` may begin with '@'.
 Splice WithKey(const KeyName& name, std::string_view key);

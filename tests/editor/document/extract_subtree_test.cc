@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "bt_core/model/upgrade.h"
 #include "editor/document/subtree_edits.h"
 #include "tests/editor/document/drafts.h"
 
@@ -76,6 +77,35 @@ TEST_F(ExtractSubTreeTest, TheNewTreeStandsBehindTheOldOne) {
   </BehaviorTree>
   <BehaviorTree ID="Last">)"));
   EXPECT_THAT(Selected(draft), ElementsAre("Go"));
+}
+
+// In format 3 the attributes of a SubTree name keys; braces would make a file that says no format
+// one of format 4.
+TEST_F(ExtractSubTreeTest, AFileOfFormat3StaysOneAndCanBeTakenBack) {
+  const std::string body = R"(<Sequence name="go">
+        <PlanPath name="plan" to="{place}"/>
+        <SubTree ID="Other" goal="place"/>
+      </Sequence>)";
+  for (const char* format : {"", R"( BTCPP_format="3")"}) {
+    const Document document = Parsed("<root" + std::string(format) + R"(>
+  <BehaviorTree ID="Main">
+    <Sequence>
+      <FindPlace place="{place}"/>
+      )" + body + R"(
+    </Sequence>
+  </BehaviorTree>
+</root>
+)");
+    Draft draft = DraftOf(document, {"go"});
+    EXPECT_EQ(ExtractSubTree(draft, rules_, "Go", {}).problem(), "");
+    EXPECT_THAT(draft.document().text(), HasSubstr(R"(<SubTree ID="Go" place="place"/>)"));
+    EXPECT_TRUE(IsFormat3(draft.document()));
+    const Document extracted = draft.document();
+    EXPECT_EQ(
+        InlineSubTree(draft, rules_, extracted, TreeOf(extracted, Find(extracted, "go"))).problem(),
+        "");
+    EXPECT_THAT(draft.document().text(), HasSubstr(body));
+  }
 }
 
 TEST_F(ExtractSubTreeTest, TheRootOfATreeCanBeExtracted) {
