@@ -22,6 +22,7 @@ std::string SuggestedPath(const EditorState& state, const std::string& tree) {
 Outcome Export(EditorState& state, double now, const std::string& path) {
   TreeView* view = state.workspace.view();
   if (!view) return Problem{"there is no tree to paint"};
+  if (Outcome may = MayReplace(state, path); !may) return may;
   TreePainting painting;
   painting.style = view->style();
   painting.palette = state.screen.palette;
@@ -53,10 +54,10 @@ void AddPictureCommands(EditorState& state) {
       {"file.export", "Export picture", {'E', kCtrl | kAlt}, [&state] {
          const TreeView* view = state.workspace.view();
          if (!view) return state.Notify("there is no tree to paint", state.now, true);
-         state.Ask({std::string("Paint the shown tree into a file that ends in ") + kPictureEndings,
-                    [&state](const std::string& path) { return Export(state, state.now, path); },
-                    {}},
-                   SuggestedPath(state, view->scene()->tree_id));
+         OpenSaveDialog(
+             state, std::string("Paint the shown tree into a file that ends in ") + kPictureEndings,
+             SuggestedPath(state, view->scene()->tree_id),
+             [&state](const std::string& path) { return Export(state, state.now, path); });
        }});
   state.commands.Add({"file.compare", "Compare with another version", {'D', kAlt}, [&state] {
                         if (!state.workspace.view()) {

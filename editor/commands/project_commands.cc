@@ -1,6 +1,7 @@
 #include "editor/commands/project_commands.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <utility>
@@ -78,9 +79,12 @@ class ProjectCommands {
         [](ProjectEditor& edit, const std::string& id) { return edit.RenameTree(id); });
     AddDoing("tree.delete", "Delete the tree", {},
              [](ProjectEditor& edit) { return edit.DeleteTree(); });
-    AddAsking("file.include", "Include a file", {},
-              "Include a file, or make it: its path, relative to this file", {},
-              [](ProjectEditor& edit, const std::string& path) { return edit.Include(path); });
+    Add("file.include", "Include a file", {}, [&s = state_] {
+      OpenPickDialog(s, "Include a file, or make it", [&s](const std::string& path) -> Outcome {
+        if (path.empty()) return Problem{"a file needs a name"};
+        return ProjectEditor(s, s.now).Include(std::filesystem::absolute(path).string());
+      });
+    });
     AddDoing("tree.definition", "Go to the tree of the SubTree", {kKeyF1 + 11},
              [](ProjectEditor& edit) { return edit.GoToDefinition(); });
     AddDoing("tree.usages", "Find usages", {kKeyF1 + 11, kShift},

@@ -191,9 +191,10 @@ Outcome ProjectEditor::Include(const std::string& path) {
   const std::optional<ElementPlace> shown = state_.workspace.ShownTree();
   if (!shown) return edit_.CanEdit();
   namespace fs = std::filesystem;
-  const fs::path whole =
-      fs::path(path).is_absolute() ? fs::path(path) : fs::path(shown->path).parent_path() / path;
   std::error_code error;
+  const fs::path folder = fs::absolute(shown->path, error).parent_path();
+  const fs::path whole = folder / path;
+  const std::string written = whole.lexically_proximate(folder).string();
   if (path.empty()) return Problem{"a file needs a name"};
   if (!fs::exists(whole, error)) {
     Diagnostics diagnostics;
@@ -205,9 +206,9 @@ Outcome ProjectEditor::Include(const std::string& path) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].file() != shown->path) continue;
     edits[i] = InsertElement(files[i], kRootElement, 0,
-                             "<include path=\"" + EscapeXmlValue(path, '"') + "\"/>");
+                             "<include path=\"" + EscapeXmlValue(written, '"') + "\"/>");
   }
-  return Change("Include " + path, files, edits);
+  return Change("Include " + written, files, edits);
 }
 
 std::vector<std::string> ProjectEditor::SelectedKeys() const {

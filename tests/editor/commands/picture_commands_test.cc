@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/editor/app/program.h"
 #include "tests/editor/driver.h"
 
@@ -27,17 +29,31 @@ class PictureCommandsTest : public testing::Test {
 TEST_F(PictureCommandsTest, ExportsTheShownTreeBesideItsFile) {
   driver_.editor.state().commands.Run("file.export");
   driver_.Frames();
-  EXPECT_EQ(driver_.editor.state().popup.text, file_.folder() + "/MainTree.svg");
+  EXPECT_EQ(driver_.editor.state().popup.kind, Popup::kOpen) << "with the folder, as for files";
+  EXPECT_EQ(driver_.editor.state().popup.text, "MainTree.svg");
   driver_.Press(kKeyEnter);
   EXPECT_EQ(driver_.editor.state().popup.kind, Popup::kNone);
   EXPECT_NE(ReadFile(file_.folder() + "/MainTree.svg").find(">round</text>"), std::string::npos);
 }
 
+TEST_F(PictureCommandsTest, APictureIsReplacedOnlyIfThatIsSaidTwice) {
+  const std::string path = file_.folder() + "/MainTree.svg";
+  std::ofstream(path) << "mine";
+  driver_.editor.state().commands.Run("file.export");
+  driver_.Frames();
+  driver_.Press(kKeyEnter);
+  EXPECT_EQ(ReadFile(path), "mine");
+  EXPECT_NE(driver_.editor.state().popup.error.find("once more"), std::string::npos);
+  driver_.Press(kKeyEnter);
+  EXPECT_NE(ReadFile(path), "mine");
+}
+
 TEST_F(PictureCommandsTest, SaysWhyAPictureCannotBeWrittenAndAsksAgain) {
   driver_.editor.state().commands.Run("file.export");
   Answer("/nowhere/t.svg");
-  EXPECT_EQ(driver_.editor.state().popup.kind, Popup::kPrompt);
-  EXPECT_NE(driver_.editor.state().popup.error.find("/nowhere/t.svg"), std::string::npos);
+  EXPECT_EQ(driver_.editor.state().popup.kind, Popup::kOpen);
+  EXPECT_NE(driver_.editor.state().popup.error.find("/nowhere"), std::string::npos)
+      << driver_.editor.state().popup.error;
 }
 
 TEST_F(PictureCommandsTest, ComparesWithWhatWasSavedLast) {

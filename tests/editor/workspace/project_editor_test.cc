@@ -76,6 +76,18 @@ TEST_F(ProjectEditorTest, AFileIsIncludedAndMadeIfItIsNotThere) {
   EXPECT_EQ(Text(), kSmallFile);
 }
 
+TEST_F(ProjectEditorTest, AFileToIncludeIsChosenFromAListAndWrittenAsSeenFromHere) {
+  WriteFile(file_.folder() + "/beside.xml", R"(<root BTCPP_format="4"/>)");
+  driver_.editor.state().commands.Run("file.include");
+  driver_.Frames();
+  EXPECT_EQ(driver_.editor.state().popup.kind, Popup::kOpen);
+  driver_.Type("beside.xml");
+  driver_.Frames();
+  driver_.Press(kKeyEnter);
+  driver_.Frames();
+  EXPECT_THAT(Text(), HasSubstr(R"(<include path="beside.xml"/>)"));
+}
+
 TEST_F(ProjectEditorTest, LeadsToTheDefinition) {
   Select("1.3");
   EXPECT_FALSE(Edit().GoToDefinition());
