@@ -25,7 +25,8 @@ namespace coppice::editor {
 struct CanvasOptions {
   bool minimap = true;
   bool wheel_zooms = false;
-  bool tooltips = true;  ///< what the mouse rests on is explained beside it
+  bool tooltips = true;                      ///< what the mouse rests on is explained beside it
+  std::uint32_t unexplained = kNoSceneNode;  ///< but for this node: there is something beside it
   Box occupied;  ///< by what lies over the canvas, on the screen; the minimap keeps clear of it
   const TreeSnapshot* live = nullptr;            ///< null: no statuses
   const PortValues* port_values = nullptr;       ///< null: ports show their keys

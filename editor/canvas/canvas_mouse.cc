@@ -42,7 +42,8 @@ class Mouse {
       if (view_.gesture.kind != Gesture::Kind::kDrag) view_.gesture = {};
     }
     const bool idle = !ImGui::IsAnyMouseDown() && view_.gesture.kind == Gesture::Kind::kNone;
-    if (over && hovered_ && idle && options_.tooltips) {
+    const bool explains = over && hovered_ && idle && options_.tooltips;
+    if (explains && HoveredIndex() != options_.unexplained) {
       DrawNodeTooltip(ui_, scene_, HoveredNode(), StateOf(options_.live, HoveredNode()),
                       options_.port_values);
     }

@@ -43,6 +43,7 @@ class CanvasTile {
     options.wheel_zooms = state_.screen.wheel_zooms;
     // Who types looks at the tree; who steps through a run, at values beside the mouse.
     options.tooltips = !state_.input.by_keys || state_.workspace.run();
+    options.unexplained = NodeWithButtons();
     if (const Box* label = ui_.items.Find("sim/chance_origin")) options.occupied = *label;
     options.live = state_.workspace.tree_state();
     if (const RunView* const run = state_.workspace.run()) {
@@ -75,6 +76,13 @@ class CanvasTile {
   }
 
  private:
+  // A tooltip would lie over what one wants to click.
+  std::uint32_t NodeWithButtons() const {
+    if (ui_.items.Find("sim/success")) return view_.selected();
+    return ui_.items.Find("stop") ? view_.scene()->of_run_node[state_.workspace.run()->stop().node]
+                                  : kNoSceneNode;
+  }
+
   // What the menu is about is selected; of several nodes that are, all.
   void OpenMenuOf(std::uint32_t node, bool is_line) {
     if (node == kNoSceneNode || !view_.IsSelected(node)) view_.Select(node);

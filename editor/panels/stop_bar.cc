@@ -50,6 +50,7 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
   const Point size = {WidthOf(ui, before), 22 * ui.scale};
   const Box box =
       FreePlaceBeside(*view, view->ShownOf(nodes[stop.node]), size, 6 * ui.scale, canvas, ui.now);
+  ui.items.Add("stop", box);
   // A window of its own: it lies above the canvas, for the mouse too.
   ImGui::SetCursorScreenPos(ToIm(box.min));
   ImGui::BeginChild("stop", ToIm(size), false,

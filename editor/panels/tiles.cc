@@ -21,6 +21,7 @@ constexpr float kStrip = 28;
 constexpr float kCanvasBar = 26;
 constexpr float kGap = 4;
 constexpr float kSmallest = 80;      // of a tile
+constexpr float kLeastCanvas = 200;  // of its height, as long as tiles above one another can yield
 constexpr float kPartAcross = 0.4F;  // of what a larger screen gains, for tiles
 constexpr float kPartDown = 0.5F;
 constexpr Point kUsual = {1280, 800};  // the screen that the sizes of tiles are for
@@ -55,16 +56,36 @@ class Screen {
     Splits& splits = state_.screen.splits;
     if (tiles.project || tiles.outline || tiles.types) LeftColumn(TakeLeft(rest, splits.left));
     const bool is_run = state_.workspace.run() != nullptr;
-    if (is_run && (tiles.timeline || tiles.run)) {
-      Row("run", TakeBottom(rest, splits.timeline, "split/timeline"),
-          {tiles.timeline, DrawTimeline}, {tiles.run, DrawRunTile}, splits.run_part);
-    }
+    if (is_run && (tiles.timeline || tiles.run)) DrawRunRow(rest);
     if (tiles.inspector || tiles.blackboard) {
       const Box column = TakeRight(rest, splits.right);
       Column("right", column, {tiles.inspector, DrawInspector},
              {tiles.blackboard, DrawBlackboard, nullptr, !is_run}, splits.right_part);
     }
     DrawRow(rest);
+  }
+
+  // All tabs of the run's tile are to be seen, if the timeline can yield.
+  void DrawRunRow(Box& rest) {
+    const Tiles& tiles = state_.screen.tiles;
+    Splits& splits = state_.screen.splits;
+    squeeze_ = SqueezeOfRows(rest);
+    const Box row = TakeBottom(rest, splits.timeline, "split/timeline");
+    const float most = std::max(1 - RunTabsWidth(ui_, state_) / row.width(), 0.4F);
+    float part = std::min(splits.run_part, most);
+    const float shown = part;
+    Row("run", row, {tiles.timeline, DrawTimeline}, {tiles.run, DrawRunTile}, part);
+    if (part != shown) splits.run_part = part;  // it was drawn
+  }
+
+  // In a low window the rows below the canvas share what it leaves them.
+  float SqueezeOfRows(const Box& rest) const {
+    const Tiles& tiles = state_.screen.tiles;
+    const Splits& splits = state_.screen.splits;
+    const bool has_row = (tiles.row && tiles.xml) || tiles.tests;
+    const float wanted = (splits.timeline + (has_row ? splits.bottom : 0)) * GrownDown();
+    const float room = rest.height() / ui_.scale - kLeastCanvas - kCanvasBar - kBar - 2 * kGap;
+    return std::clamp(room / wanted, 0.4F, 1.0F);
   }
 
   // Text and problems. Beside a run, only what was opened.
@@ -117,7 +138,7 @@ class Screen {
   }
   float GrownDown() const {
     const float gained = box_.height() / (kUsual.y * ui_.scale) - 1;
-    return std::clamp(1 + kPartDown * gained, 1.0F, 1.5F);
+    return std::clamp(1 + kPartDown * gained, 1.0F, 1.5F) * squeeze_;
   }
 
   float Limit(float size, float room) const {
@@ -276,6 +297,7 @@ class Screen {
   const Ui& ui_;
   EditorState& state_;
   const Box box_;
+  float squeeze_ = 1;  // of the rows below the canvas
 };
 
 }  // namespace

@@ -55,8 +55,9 @@ void PaintPopupRow(const Ui& ui, const Box& box, const std::string& title, const
   const float note_width = std::min(ui.Width(note, dim), std::max(box.width() * 0.4F, rest));
   ui.RowText(list, {left, box.min.y}, box.height(), title, style,
              box.max.x - left - note_width - 3 * pad);
-  ui.RowText(list, {box.max.x - note_width - pad, box.min.y}, box.height(), note, dim,
-             note_width + 1);
+  // The line of a place stands at its end, and the name of a file at that of its path.
+  ui.RowText(list, {box.max.x - note_width - pad, box.min.y}, box.height(),
+             ui.CutStart(note, dim, note_width + 1), dim);
 }
 
 }  // namespace coppice::editor

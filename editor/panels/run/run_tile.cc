@@ -44,20 +44,27 @@ constexpr Tab kTabs[] = {
     {RunTab::kTable, "run/table", "TABLE", DrawTable},
     {RunTab::kCoverage, "run/coverage", "COVERAGE", DrawCoverage, Tab::Of::kSimulations}};
 
+constexpr float kTabGap = 2;
+constexpr float kLeastAround = 4;  // the text of a tab
+
 float TextWidth(const Ui& ui, const Tab& tab) { return ui.Width(tab.title, {Face::kSans, 12, 0}); }
+
+std::vector<const Tab*> ShownTabs(const EditorState& state) {
+  std::vector<const Tab*> shown;
+  for (const Tab& tab : kTabs) {
+    if (tab.IsFor(state.workspace)) shown.push_back(&tab);
+  }
+  return shown;
+}
 
 // Where there are many they stand closer together; what does not fit even then has its key.
 void DrawTabs(const Ui& ui, EditorState& state, const Box& box) {
-  const float gap = 2 * ui.scale;
-  std::vector<const Tab*> shown;
+  const float gap = kTabGap * ui.scale;
+  const std::vector<const Tab*> shown = ShownTabs(state);
   float room = box.width() - 4 * gap;
-  for (const Tab& tab : kTabs) {
-    if (!tab.IsFor(state.workspace)) continue;
-    shown.push_back(&tab);
-    room -= TextWidth(ui, tab) + gap;
-  }
+  for (const Tab* tab : shown) room -= TextWidth(ui, *tab) + gap;
   const float around =
-      std::clamp(room / static_cast<float>(shown.size()), 4 * ui.scale, 12 * ui.scale);
+      std::clamp(room / static_cast<float>(shown.size()), kLeastAround * ui.scale, 12 * ui.scale);
   float x = box.min.x + 2 * gap;
   for (const Tab* tab : shown) {
     const float width = TextWidth(ui, *tab) + around;
@@ -69,6 +76,14 @@ void DrawTabs(const Ui& ui, EditorState& state, const Box& box) {
 }
 
 }  // namespace
+
+float RunTabsWidth(const Ui& ui, const EditorState& state) {
+  float width = 4 * kTabGap * ui.scale;
+  for (const Tab* tab : ShownTabs(state)) {
+    width += TextWidth(ui, *tab) + (kTabGap + kLeastAround) * ui.scale;
+  }
+  return width;
+}
 
 void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
   RunView* run = state.workspace.run();

@@ -56,6 +56,32 @@ TEST_F(SimulationBarTest, CanBeEndedInTheNarrowestWindow) {
   EXPECT_EQ(state().simulator.get(), nullptr);
 }
 
+TEST_F(SimulationBarTest, LeavesRoomForTheTreeInALowWindow) {
+  driver_.input.width = 900;
+  driver_.input.height = 600;
+  driver_.OpenRow();
+  Start();
+  driver_.Click("sim/tick");
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Has("xml"));
+  EXPECT_GE(driver_.BoxOf("canvas").height(), 195);
+  EXPECT_TRUE(driver_.Has("run/coverage")) << "the last of the tabs";
+}
+
+TEST_F(SimulationBarTest, NoTooltipLiesOverTheAnswersOfALeaf) {
+  Start();
+  ASSERT_TRUE(ClickNode("to door"));
+  driver_.MoveTo(driver_.BoxOf("outline").center());
+  driver_.Frames(4);
+  const Box answers = driver_.BoxOf("sim/success");
+  const Color panel = GetPalette(PaletteName::kDark).panel;
+  const Box around = {answers.min - Point{20, 40}, answers.max + Point{200, 60}};
+  const int before = driver_.CountColor(around, panel, 2);
+  ASSERT_TRUE(ClickNode("to door"));
+  driver_.Frames(4);
+  EXPECT_NEAR(driver_.CountColor(around, panel, 2), before, 50);
+}
+
 TEST_F(SimulationBarTest, NobodyTakesASimulationForARobot) {
   EXPECT_FALSE(driver_.Has("sim/banner"));
   Start();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/editor/driver.h"
+#include "tests/editor/gallery/drawn_text.h"
 
 namespace coppice::editor {
 namespace {
@@ -25,6 +26,26 @@ TEST(PopupRows, ScrollsALongListToTheChosenRow) {
   EXPECT_GE(chosen.min.y, input.max.y);
   EXPECT_LE(chosen.max.y, driver.BoxOf("popup").max.y);
   EXPECT_EQ(driver.BoxOf("popup/input").min.y, input.min.y);
+}
+
+TEST(PopupRows, EndAtTheLineOfAPlaceHoweverLongItsFileIsCalled) {
+  Driver driver;
+  driver.Frames();
+  const auto rows = [](const std::string&) {
+    std::vector<Choice> choices(1);
+    choices[0].title = std::string(80, 't');
+    choices[0].note = std::string(200, 'n') + ":4711";
+    return choices;
+  };
+  driver.editor.state().Ask({"Which?", [](const std::string&) { return Outcome(); }, rows, false});
+  driver.Frames();
+  std::string drawn;
+  for (const DrawnGlyph& glyph : DrawnText(driver.editor)) {
+    if (driver.BoxOf("popup/0").Contains(glyph.box.center())) {
+      drawn += static_cast<char>(glyph.code);
+    }
+  }
+  EXPECT_NE(drawn.find(":4711"), std::string::npos) << drawn;
 }
 
 TEST(PopupRows, AreChosenWithTheKeysWhereNothingIsTyped) {
