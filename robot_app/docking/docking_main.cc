@@ -16,6 +16,7 @@
 #include "robot_app/common/battery_message.h"
 #include "robot_app/common/places/station_place.h"
 #include "robot_app/common/ros_support.h"
+#include "robot_app/common/service_caller.h"
 #include "robot_app/common/transforms/message_time.h"
 #include "robot_app/docking/dock_controller.h"
 #include "robot_app/docking/station_memory.h"
@@ -148,13 +149,22 @@ class DockingNode {
     path_.publish(message);
   }
 
-  // The next time the station is looked for where it was now.
+  // The next time the station is looked for where it was now. It is written on a thread of its own:
+  // a disk that is slow holds up nobody who docks.
   void LearnStation() {
     const auto odometry = pose_.OdometryInMap();
     if (!tracker_.seen() || !odometry) return;
     if (ros::Time::now().toSec() - odometry->stamp > kPoseTimeout) return;
-    const Outcome kept = station_.Learn(Compose(odometry->pose, tracker_.seen()->docked));
-    if (!kept) ROS_WARN("%s", kept.problem().c_str());
+    const Pose2D station = Compose(odometry->pose, tracker_.seen()->docked);
+    if (!station_.Learn(station) || is_saving_) return;
+    is_saving_ = writer_.Add([this, station]() -> ServiceCaller::Finish {
+      const Outcome saved = station_.Save(station);
+      if (!saved) ROS_WARN("%s", saved.problem().c_str());
+      return [this, station, is_saved = saved.ok()] {
+        is_saving_ = false;
+        if (is_saved) station_.HasSaved(station);
+      };
+    });
   }
 
   // What is known now; a problem if that is not enough to drive with.
@@ -242,6 +252,7 @@ class DockingNode {
   }
 
   void Control() {
+    writer_.RunFinished();
     const double last = std::exchange(controlled_, ros::Time::now().toSec());
     if (!server_.is_active()) return;
     // All that the manoeuvre waits for would last until that time has come again.
@@ -285,6 +296,8 @@ class DockingNode {
   ros::Publisher command_, seen_, path_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Timer timer_;
+  bool is_saving_ = false;  // where the station is
+  ServiceCaller writer_;
 };
 
 }  // namespace

@@ -24,12 +24,11 @@ StationMemory::StationMemory(const std::optional<Pose2D>& prior, std::string fil
   if (kept_ && prior && Distance(*kept_, *prior) <= kFarthest) station_ = kept_;
 }
 
-Outcome StationMemory::Learn(const Pose2D& station) {
+bool StationMemory::Learn(const Pose2D& station) {
   station_ = station;
-  if (file_ == "none" || (kept_ && IsSame(*kept_, station))) return {};
-  const Outcome saved = SavePose(file_, station);
-  if (saved) kept_ = station;
-  return saved;
+  return file_ != "none" && !(kept_ && IsSame(*kept_, station));
 }
+
+Outcome StationMemory::Save(const Pose2D& station) const { return SavePose(file_, station); }
 
 }  // namespace coppice::robot::docking

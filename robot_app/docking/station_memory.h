@@ -1,6 +1,6 @@
 // Where the station stands on the map: where it was seen when the robot docked last, kept in a
 // file, or else where the map of places says. Whoever has moved the station by more than a step
-// says so there, and is believed. Not for several threads.
+// says so there, and is believed. Not for several threads, but for Save.
 #ifndef COPPICE_ROBOT_APP_DOCKING_STATION_MEMORY_H_
 #define COPPICE_ROBOT_APP_DOCKING_STATION_MEMORY_H_
 
@@ -22,15 +22,20 @@ class StationMemory {
   /// base_link when docked, in the map frame.
   const std::optional<Pose2D>& station() const { return station_; }
 
-  /// The robot has docked, and has seen it there. The file is replaced as a whole, and only if the
-  /// station has moved by a centimetre or half a degree. A problem if that fails; it is known
-  /// nevertheless until the program ends.
-  Outcome Learn(const Pose2D& station);
+  /// The robot has docked, and has seen it there. True if the file is to say so, too: if the
+  /// station has moved by a centimetre or half a degree since that was written.
+  bool Learn(const Pose2D& station);
+
+  /// Replaces the file as a whole. Waits for the disk; any thread. A problem if it cannot.
+  Outcome Save(const Pose2D& station) const;
+
+  /// So the file says now.
+  void HasSaved(const Pose2D& station) { kept_ = station; }
 
  private:
   std::optional<Pose2D> station_;
   std::optional<Pose2D> kept_;  // in the file
-  std::string file_;
+  const std::string file_;
 };
 
 }  // namespace coppice::robot::docking
