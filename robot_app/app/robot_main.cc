@@ -16,6 +16,7 @@
 #include "bt_core/base/command_line.h"
 #include "bt_nodes/register_nodes.h"
 #include "robot_app/app/face_pictures.h"
+#include "robot_app/app/note_limit.h"
 #include "robot_app/app/robot_figures.h"
 #include "robot_app/app/tree_link.h"
 #include "robot_app/app/tree_runner.h"
@@ -152,10 +153,7 @@ class Robot {
     visitors_.Connect({application.Writer<leaves::Visitor>("visitor"),
                        monitor.Writer<leaves::Visitor>("visitor")});
     subscribers_.push_back(node_.subscribe<std_msgs::String>(
-        "/coppice/note", 20, [this](const std_msgs::String::ConstPtr& note) {
-          application_->Note("note", note->data);
-          monitor_->Note("note", note->data);
-        }));
+        "/coppice/note", 20, [this](const std_msgs::String::ConstPtr& note) { Note(note->data); }));
     status_ = node_.advertise<std_msgs::String>("/coppice/application", 1, true);
     ways_ = node_.advertise<visualization_msgs::MarkerArray>("/coppice/ways", 1, true);
     places_.ShowWays([this](const RouteGuide& guide) {
@@ -181,6 +179,17 @@ class Robot {
   }
 
  private:
+  void Note(const std::string& text) {
+    const auto note = note_limit_.Pass(text, ros::SteadyTime::now().toSec());
+    if (!note) {
+      ROS_WARN_THROTTLE(60, "more than %d notes a second on /coppice/note: some are not recorded",
+                        NoteLimit::kMostPerSecond);
+      return;
+    }
+    application_->Note("note", *note);
+    monitor_->Note("note", *note);
+  }
+
   std::unique_ptr<TreeRunner> MakeRunner(const Options& options, const std::string& name, int port,
                                          bool forever) {
     Diagnostics diagnostics;
@@ -282,6 +291,7 @@ class Robot {
   ros::Publisher status_, ways_, heartbeat_, diagnostics_;
   std::unique_ptr<TreeRunner> application_;
   std::unique_ptr<TreeRunner> monitor_;
+  NoteLimit note_limit_;
   std::vector<ros::Subscriber> subscribers_;
   std::optional<adapters::PoseFeed> pose_feed_;
   std::optional<adapters::PeopleFeed> people_feed_;
