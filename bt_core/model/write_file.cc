@@ -18,25 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTries = 100;  // to find a name that nobody has
-constexpr std::string_view kMark = ".saving-";
-constexpr int kLetters = 8;  // behind that
+constexpr int kTries = 100;                             // to find a name that nobody has
+constexpr std::string_view kMark = ".coppice-saving-";  // nobody else calls a file so
+constexpr std::size_t kLetters = 8;                     // behind that
 constexpr auto kAbandonedAfter = std::chrono::hours(1);
 constexpr auto kLookEvery = std::chrono::minutes(10);
 constexpr std::size_t kMostFolders = 1000;  // that are remembered
 
-std::string AnyName(const std::string& target) {
-  constexpr std::string_view kAlphabet = "abcdefghijklmnopqrstuvwxyz0123456789";
-  static thread_local std::random_device random;
-  std::string name = target + std::string(kMark);
-  for (int i = 0; i < kLetters; ++i) name += kAlphabet[random() % kAlphabet.size()];
-  return name;
+bool IsDraftName(const std::string& name) {
+  const std::size_t mark = name.rfind(kMark);
+  return mark != std::string::npos && name.size() == mark + kMark.size() + kLetters;
 }
 
 bool IsAbandoned(const fs::directory_entry& entry) {
-  const std::string name = entry.path().filename();
-  const std::size_t mark = name.rfind(kMark);
-  if (mark == std::string::npos || name.size() != mark + kMark.size() + kLetters) return false;
+  if (!IsDraftName(entry.path().filename().string())) return false;
   std::error_code error;
   const fs::file_time_type written = entry.last_write_time(error);
   return !error && entry.is_regular_file(error) &&
@@ -73,7 +68,7 @@ class TemporaryFile {
   /// `mode`: before the process's mask.
   TemporaryFile(const std::string& target, mode_t mode) {
     for (int i = 0; i < kTries && (i == 0 || errno == EEXIST) && !is_open(); ++i) {
-      path_ = AnyName(target);
+      path_ = DraftName(target);
       descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     }
   }
@@ -134,6 +129,14 @@ bool CannotWrite(const std::string& path, std::string why, Diagnostics& diagnost
 }
 
 }  // namespace
+
+std::string DraftName(const std::string& path) {
+  constexpr std::string_view kAlphabet = "abcdefghijklmnopqrstuvwxyz0123456789";
+  static thread_local std::random_device random;
+  std::string name = path + std::string(kMark);
+  for (std::size_t i = 0; i < kLetters; ++i) name += kAlphabet[random() % kAlphabet.size()];
+  return name;
+}
 
 bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics,
                FileReaders readers) {

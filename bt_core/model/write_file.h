@@ -17,6 +17,10 @@ enum class FileReaders : std::uint8_t {
   kOwnerOnly,  ///< mode 0600, whatever it was before
 };
 
+/// What a file is called until it is whole, beside `path`: another name each time. WriteFile
+/// removes what killed programs have left under such names.
+std::string DraftName(const std::string& path);
+
 /// Writes a temporary file beside `path`, waits until it is on the disk, renames it, and removes
 /// what killed programs left over an hour ago, for which it looks every ten minutes. A symbolic
 /// link stays one, its target is replaced; what is no file (a device, a pipe, a folder) is not.

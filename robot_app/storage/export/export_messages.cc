@@ -12,9 +12,9 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <random>
 #include <utility>
 
+#include "bt_core/model/write_file.h"
 #include "robot_app/storage/export/csv_table.h"
 #include "robot_app/storage/messages/json_to_message.h"
 #include "robot_app/storage/topics/file_store.h"
@@ -23,14 +23,6 @@ namespace coppice::robot::storage {
 namespace {
 
 namespace fs = std::filesystem;
-
-// As WriteFile calls what is not yet whole: what a killed program has left it removes.
-std::string AnyName(const std::string& path) {
-  std::random_device random;
-  char letters[9];
-  std::snprintf(letters, sizeof(letters), "%08x", random());
-  return path + ".saving-" + letters;
-}
 
 // A file that takes its name when it is whole; else it goes. Until then it has a name that nobody
 // had: what somebody else has laid there is neither overwritten nor written through.
@@ -69,7 +61,7 @@ class Draft {
 
  private:
   const std::string path_;
-  const std::string draft_ = AnyName(path_);
+  const std::string draft_ = DraftName(path_);
   bool is_there_ = false;
 };
 

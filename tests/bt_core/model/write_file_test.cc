@@ -54,23 +54,24 @@ TEST_F(WriteFileTest, TakesAwayWhatAKilledProgramLeftAnHourAgo) {
     std::ofstream(Path(name)) << "half a fi";
     fs::last_write_time(Path(name), fs::file_time_type::clock::now() - age);
   };
-  leave("map.pgm.saving-abcd1234", std::chrono::minutes(61));
-  leave("map.pgm.saving-efgh5678", std::chrono::minutes(59));  // somebody may still write it
-  leave("map.pgm.saving-of-2025", std::chrono::minutes(61));   // not ours
+  const std::string abandoned = DraftName("map.pgm");
+  leave(abandoned, std::chrono::minutes(61));
+  leave(DraftName("map.pgm"), std::chrono::minutes(59));       // somebody may still write it
+  leave("map.pgm.saving-tomorrow", std::chrono::minutes(61));  // of a person
   leave("map.pgm.abcd1234", std::chrono::minutes(61));
   EXPECT_TRUE(WriteFile(Path("map.yaml"), "image: map.pgm", diagnostics_));
-  EXPECT_FALSE(fs::exists(Path("map.pgm.saving-abcd1234")));
+  EXPECT_FALSE(fs::exists(Path(abandoned)));
   EXPECT_EQ(CountFiles(), 4U);
 }
 
 // There may be a hundred thousand files.
 TEST_F(WriteFileTest, DoesNotLookThroughTheFolderAgainAtOnce) {
   EXPECT_TRUE(WriteFile(Path("1.bin"), "1", diagnostics_));
-  std::ofstream(Path("2.bin.saving-abcd1234")) << "half a fi";
-  fs::last_write_time(Path("2.bin.saving-abcd1234"),
-                      fs::file_time_type::clock::now() - std::chrono::hours(2));
+  const std::string abandoned = Path(DraftName("2.bin"));
+  std::ofstream(abandoned) << "half a fi";
+  fs::last_write_time(abandoned, fs::file_time_type::clock::now() - std::chrono::hours(2));
   EXPECT_TRUE(WriteFile(Path("3.bin"), "3", diagnostics_));
-  EXPECT_TRUE(fs::exists(Path("2.bin.saving-abcd1234")));
+  EXPECT_TRUE(fs::exists(abandoned));
 }
 
 TEST_F(WriteFileTest, LeavesPipesAndDevicesWhatTheyAre) {
