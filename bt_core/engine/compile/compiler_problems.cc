@@ -3,18 +3,6 @@
 #include <utility>
 
 namespace coppice {
-namespace {
-
-constexpr std::size_t kMostCompared = 500'000'000;  // letters with letters: a second
-constexpr std::size_t kOfAName = 100;               // takes as long to copy
-
-}  // namespace
-
-bool Problems::MayCompare(std::string_view name, std::size_t candidates) {
-  if (compared_ > kMostCompared) return false;
-  compared_ += candidates * (kOfAName + name.size() * name.size());
-  return true;
-}
 
 void Problems::Add(Severity severity, const Document& document, std::uint32_t offset,
                    std::string message, std::string hint, ProblemSubject about) {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
-#include <vector>
 
+#include "bt_core/base/advisor.h"
 #include "bt_core/base/diagnostic.h"
 #include "bt_core/engine/compile/sibling_files.h"
 #include "bt_core/model/document.h"
@@ -37,19 +37,14 @@ class Problems {
   /// True the first time: for what is said once and not in every place.
   bool IsFirst(const std::string& topic) { return topics_.insert(topic).second; }
 
-  /// As NearestName and DidYouMean: `name_of` gives the name of each candidate. A file of very many
-  /// unknown names gets no advice any more once looking for it has taken long.
+  /// As NearestName and DidYouMean; see Advisor.
   template <class Candidates, class NameOf>
   std::string Nearest(std::string_view name, const Candidates& candidates, NameOf name_of) {
-    if (!MayCompare(name, candidates.size())) return {};
-    std::vector<std::string> names;
-    for (const auto& candidate : candidates) names.push_back(name_of(candidate));
-    return NearestName(name, names);
+    return advisor_.Nearest(name, candidates, name_of);
   }
   template <class Candidates, class NameOf>
   std::string Advise(std::string_view name, const Candidates& candidates, NameOf name_of) {
-    const std::string nearest = Nearest(name, candidates, name_of);
-    return nearest.empty() ? nearest : DidYouMean(name, {nearest});
+    return advisor_.Advise(name, candidates, name_of);
   }
 
   bool has_errors() const { return diagnostics_.has_errors(); }
@@ -58,10 +53,8 @@ class Problems {
   SiblingFiles& siblings() { return siblings_; }
 
  private:
-  bool MayCompare(std::string_view name, std::size_t candidates);
-
   Diagnostics& diagnostics_;
-  std::size_t compared_ = 0;  // letters with letters, about
+  Advisor advisor_;
   std::set<std::tuple<const Document*, std::uint32_t, std::string>> known_;
   std::set<std::string> topics_;
   SiblingFiles siblings_;

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "bt_core/base/advisor.h"
 #include "robot_app/common/yaml_fields.h"
 
 namespace coppice::robot {
@@ -166,6 +167,8 @@ std::optional<TopologicalMap> TopologicalMap::Load(const std::string& path,
   if (map.places_.empty() && !diagnostics.has_errors()) {
     file.Error(file.where(), "there are no places");
   }
+  Advisor advisor;
+  const auto name_of = [](const Place& place) { return place.name; };
   for (YamlFields& fields : file.Maps("edges")) {
     if (map.edges_.size() >= kMostEdges) {
       fields.Error(fields.where(), "more than " + std::to_string(kMostEdges) + " edges");
@@ -177,7 +180,7 @@ std::optional<TopologicalMap> TopologicalMap::Load(const std::string& path,
       *index = map.Find(name.text);
       if (*index < 0 && !name.text.empty()) {
         fields.Error(name.where, "there is no place \"" + name.text + "\"",
-                     DidYouMean(name.text, map.Names()));
+                     advisor.Advise(name.text, map.places_, name_of));
       }
     }
     edge.kind = ReadKind(fields);

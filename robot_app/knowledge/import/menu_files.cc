@@ -124,7 +124,7 @@ class Reader {
 };
 
 void ReadMenu(const std::filesystem::path& path, const std::vector<DietNotes>& diets,
-              Campus& campus, const SiteIds& ids, Diagnostics& diagnostics) {
+              Campus& campus, SiteIds& ids, Diagnostics& diagnostics) {
   const std::filesystem::path stem = path.stem();
   const std::string extension = stem.extension();
   const auto language = LanguageOf(extension.empty() ? "" : extension.substr(1));

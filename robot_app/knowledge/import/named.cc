@@ -10,12 +10,11 @@ bool Ids::Add(const LocatedText& id, Diagnostics& diagnostics) {
   return false;
 }
 
-void Ids::Expect(const LocatedText& id, Diagnostics& diagnostics) const {
+void Ids::Expect(const LocatedText& id, Diagnostics& diagnostics) {
   if (Has(id.text)) return;
-  std::vector<std::string> known;
-  for (const auto& [name, where] : places_) known.push_back(name);
-  diagnostics.Error(id.where, "there is no " + what_ + " \"" + id.text + "\"",
-                    DidYouMean(id.text, known));
+  diagnostics.Error(
+      id.where, "there is no " + what_ + " \"" + id.text + "\"",
+      advisor_.Advise(id.text, places_, [](const auto& known) { return known.first; }));
 }
 
 ByLanguage<std::string> ReadTexts(YamlFields& fields, const std::string& key) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/advisor.h"
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/knowledge/store/records.h"
@@ -20,11 +21,12 @@ class Ids {
   /// False, with an error, if it was given before.
   bool Add(const LocatedText& id, Diagnostics& diagnostics);
   /// An error, with the nearest one as a hint, if there is no such id.
-  void Expect(const LocatedText& id, Diagnostics& diagnostics) const;
+  void Expect(const LocatedText& id, Diagnostics& diagnostics);
   bool Has(const std::string& id) const { return places_.count(id) > 0; }
 
  private:
   std::string what_;
+  Advisor advisor_;
   std::map<std::string, SourceLocation> places_;
 };
 

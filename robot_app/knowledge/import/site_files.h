@@ -26,8 +26,7 @@ struct SiteIds {
 
 /// places.yaml, the robot's topological map, and campus.yaml, what only people want to know of it.
 void ReadPlaces(const std::string& folder, Campus& campus, SiteIds& ids, Diagnostics& diagnostics);
-void ReadStaff(const std::string& path, Campus& campus, const SiteIds& ids,
-               Diagnostics& diagnostics);
+void ReadStaff(const std::string& path, Campus& campus, SiteIds& ids, Diagnostics& diagnostics);
 void ReadSmallTalk(const std::string& path, Campus& campus, Diagnostics& diagnostics);
 
 }  // namespace coppice::robot::knowledge

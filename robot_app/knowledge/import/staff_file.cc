@@ -44,7 +44,7 @@ std::string Joined(const std::vector<std::string>& parts, char by) {
 
 class Reader {
  public:
-  Reader(Campus& campus, const SiteIds& ids, Diagnostics& diagnostics)
+  Reader(Campus& campus, SiteIds& ids, Diagnostics& diagnostics)
       : campus_(campus), ids_(ids), diagnostics_(diagnostics) {}
 
   void Read(const CsvRow& row) {
@@ -79,15 +79,14 @@ class Reader {
   }
 
   Campus& campus_;
-  const SiteIds& ids_;
+  SiteIds& ids_;
   Diagnostics& diagnostics_;
   Ids people_{"person"};
 };
 
 }  // namespace
 
-void ReadStaff(const std::string& path, Campus& campus, const SiteIds& ids,
-               Diagnostics& diagnostics) {
+void ReadStaff(const std::string& path, Campus& campus, SiteIds& ids, Diagnostics& diagnostics) {
   const auto text = coppice::ReadFile(path, diagnostics);
   if (!text) return;
   Reader reader(campus, ids, diagnostics);

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
-#include <set>
 
+#include "bt_core/base/advisor.h"
 #include "bt_core/base/read_file.h"
 #include "robot_app/common/ros_name.h"
 #include "robot_app/common/yaml_fields.h"
@@ -260,7 +260,7 @@ class Loader {
   void FindCycles() {
     const GroupOrder order(config_);
     for (std::size_t start = 0; start < config_.processes.size(); ++start) {
-      std::set<std::size_t> seen;
+      std::vector<bool> seen(config_.processes.size());
       std::vector<std::size_t> pending = {start};
       while (!pending.empty()) {
         const std::size_t process = pending.back();
@@ -268,11 +268,12 @@ class Loader {
         const Indices* const lists[] = {&order.needs(process), &config_.processes[process].after};
         for (const Indices* list : lists) {
           for (const std::size_t next : *list) {
-            if (seen.insert(next).second) pending.push_back(next);
+            if (!seen[next]) pending.push_back(next);
+            seen[next] = true;
           }
         }
       }
-      if (seen.count(start) == 0) continue;
+      if (!seen[start]) continue;
       file_.Error(where_[start], "process \"" + config_.processes[start].name +
                                      "\" waits for itself (depends, after)");
     }
@@ -350,10 +351,11 @@ class Loader {
 
   // A process would wait for ever for a dependency that is not part of its configuration.
   void CheckComplete(const LocatedText& name, const Configuration& configuration) {
-    const auto& members = configuration.processes;
-    for (const std::size_t member : members) {
+    std::vector<bool> is_member(config_.processes.size());
+    for (const std::size_t member : configuration.processes) is_member[member] = true;
+    for (const std::size_t member : configuration.processes) {
       for (const std::size_t needed : config_.processes[member].depends) {
-        if (std::find(members.begin(), members.end(), needed) != members.end()) continue;
+        if (is_member[needed]) continue;
         file_.Error(name.where, "configuration \"" + name.text + "\" has \"" +
                                     config_.processes[member].name + "\" but not \"" +
                                     config_.processes[needed].name + "\", which it depends on");
@@ -372,19 +374,17 @@ class Loader {
 
   template <class Named>
   std::optional<std::size_t> Resolve(const std::string& kind, const std::vector<Named>& list,
-                                     const LocatedText& name) const {
+                                     const LocatedText& name) {
     const auto index = IndexOf(list, name.text);
     if (index) return index;
-    std::vector<std::string> names;
-    for (const Named& item : list) names.push_back(item.name);
     file_.Error(name.where, "unknown " + kind + " \"" + name.text + "\"",
-                DidYouMean(name.text, names));
+                advisor_.Advise(name.text, list, [](const Named& item) { return item.name; }));
     return std::nullopt;
   }
 
   template <class Named>
   Indices ResolveAll(const std::string& kind, const std::vector<Named>& list,
-                     const std::vector<LocatedText>& names) const {
+                     const std::vector<LocatedText>& names) {
     Indices indices;
     for (const LocatedText& name : names) {
       if (const auto index = Resolve(kind, list, name)) indices.push_back(*index);
@@ -393,7 +393,7 @@ class Loader {
   }
 
   std::string Fill(const LocatedText& word, const Variables& variables) {
-    std::string filled = FillVariables(word.text, variables,
+    std::string filled = FillVariables(word.text, variables, advisor_,
                                        [&](const std::string& message, const std::string& hint) {
                                          file_.Error(word.where, message, hint);
                                        });
@@ -404,6 +404,7 @@ class Loader {
   }
 
   Diagnostics& diagnostics_;
+  Advisor advisor_;
   YamlFields file_;
   Variables variables_;     // with the site
   std::size_t filled_ = 0;  // bytes of texts so far

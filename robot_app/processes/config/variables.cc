@@ -1,18 +1,19 @@
 #include "robot_app/processes/config/variables.h"
 
-#include <vector>
-
-#include "bt_core/base/diagnostic.h"
-
 namespace coppice::robot::processes {
 namespace {
 
 using Report = std::function<void(const std::string& message, const std::string& hint)>;
 
+struct Context {
+  const Variables& variables;
+  Advisor& advisor;
+  const Report& report;
+};
+
 constexpr int kDeepest = 16;  // defaults within defaults
 
-std::string Fill(const std::string& text, const Variables& variables, const Report& report,
-                 int depth);
+std::string Fill(const std::string& text, const Context& context, int depth);
 
 // Of the brace that was opened just before `position`; npos if there is none.
 std::size_t MatchingBrace(const std::string& text, std::size_t position) {
@@ -24,27 +25,24 @@ std::size_t MatchingBrace(const std::string& text, std::size_t position) {
   return std::string::npos;
 }
 
-std::string Lookup(const std::string& expression, const Variables& variables, const Report& report,
-                   int depth) {
+std::string Lookup(const std::string& expression, const Context& context, int depth) {
   const std::size_t separator = expression.find(":-");
   const std::string name = expression.substr(0, separator);
-  const auto found = variables.find(name);
-  if (found != variables.end()) return found->second;
+  const auto found = context.variables.find(name);
+  if (found != context.variables.end()) return found->second;
   if (separator != std::string::npos) {
-    return Fill(expression.substr(separator + 2), variables, report, depth + 1);
+    return Fill(expression.substr(separator + 2), context, depth + 1);
   }
-  std::vector<std::string> names;
-  for (const auto& [known, value] : variables) names.push_back(known);
-  const std::string hint = DidYouMean(name, names);
-  report("variable \"" + name + "\" has no value",
-         hint.empty() ? "give it with --set " + name + "=VALUE" : hint);
+  const std::string hint = context.advisor.Advise(name, context.variables,
+                                                  [](const auto& known) { return known.first; });
+  context.report("variable \"" + name + "\" has no value",
+                 hint.empty() ? "give it with --set " + name + "=VALUE" : hint);
   return "";
 }
 
-std::string Fill(const std::string& text, const Variables& variables, const Report& report,
-                 int depth) {
+std::string Fill(const std::string& text, const Context& context, int depth) {
   if (depth > kDeepest) {
-    report("more than " + std::to_string(kDeepest) + " defaults within each other", "");
+    context.report("more than " + std::to_string(kDeepest) + " defaults within each other", "");
     return "";
   }
   std::string filled;
@@ -55,12 +53,12 @@ std::string Fill(const std::string& text, const Variables& variables, const Repo
     if (begin == std::string::npos) return filled;
     const std::size_t end = MatchingBrace(text, begin + 2);
     if (end == std::string::npos) {
-      report("\"${\" without \"}\" in \"" + text + "\"", "");
+      context.report("\"${\" without \"}\" in \"" + text + "\"", "");
       return filled;
     }
-    filled += Lookup(text.substr(begin + 2, end - begin - 2), variables, report, depth);
+    filled += Lookup(text.substr(begin + 2, end - begin - 2), context, depth);
     if (filled.size() > kLongestFilled) {
-      report("stands for more than " + std::to_string(kLongestFilled) + " bytes", "");
+      context.report("stands for more than " + std::to_string(kLongestFilled) + " bytes", "");
       return "";
     }
     position = end + 1;
@@ -69,9 +67,9 @@ std::string Fill(const std::string& text, const Variables& variables, const Repo
 
 }  // namespace
 
-std::string FillVariables(const std::string& text, const Variables& variables,
+std::string FillVariables(const std::string& text, const Variables& variables, Advisor& advisor,
                           const Report& report) {
-  return Fill(text, variables, report, 0);
+  return Fill(text, {variables, advisor, report}, 0);
 }
 
 }  // namespace coppice::robot::processes

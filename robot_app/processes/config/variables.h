@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "bt_core/base/advisor.h"
+
 namespace coppice::robot::processes {
 
 /// Values of `${name}`. `${name:-default}` stands for the default if there is none; the default may
@@ -20,7 +22,7 @@ inline constexpr std::size_t kLongestFilled = std::size_t{64} << 10;
 /// stands for nothing: also a text that would be too long, and more than 16 defaults within each
 /// other.
 std::string FillVariables(
-    const std::string& text, const Variables& variables,
+    const std::string& text, const Variables& variables, Advisor& advisor,
     const std::function<void(const std::string& message, const std::string& hint)>& report);
 
 }  // namespace coppice::robot::processes

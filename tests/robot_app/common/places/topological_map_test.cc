@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 
@@ -129,6 +130,22 @@ TEST(TopologicalMap, NamesTheLineOfEveryMistake) {
                                      "already an edge hall -> room"}) {
     EXPECT_THAT(errors, HasSubstr(expected));
   }
+}
+
+// Advice on each would take half a minute.
+TEST(TopologicalMap, OfVeryManyUnknownPlacesOnlyTheFirstGetAdvice) {
+  const std::string end(40, 'x');
+  std::string text = "places:\n", edges = "edges:\n";
+  for (int i = 1000; i < 2000; ++i) {
+    text += " - {name: p" + std::to_string(i) + end + ", x: 1, y: 1}\n";
+    edges += " - {from: q" + std::to_string(i) + end + ", to: r" + std::to_string(i) + end + "}\n";
+  }
+  Diagnostics diagnostics;
+  EXPECT_FALSE(TopologicalMap::Load(Write(text + edges), diagnostics));
+  const auto advised = std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
+                                     [](const Diagnostic& error) { return !error.hint.empty(); });
+  EXPECT_GT(advised, 100);
+  EXPECT_LT(advised, 1000);
 }
 
 TEST(TopologicalMap, MorePlacesOrEdgesThanATreeCanSearchAreAnError) {

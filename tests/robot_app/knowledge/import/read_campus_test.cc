@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tests/robot_app/knowledge/sample_database.h"
@@ -47,6 +48,29 @@ TEST_F(ReadCampusTest, EverythingWrongIsSaidAtOnce) {
   EXPECT_THAT(problems, HasSubstr("there is no place \"hell\" (did you mean \"hall\"?)"));
   EXPECT_THAT(problems, HasSubstr("are no opening hours, such as"));
   EXPECT_THAT(problems, HasSubstr("expected a date such as 2026-11-25, not yesterday"));
+}
+
+// Advice on each would take a minute with as many people as there may be.
+TEST_F(ReadCampusTest, OfVeryManyUnknownPlacesOnlyTheFirstGetAdvice) {
+  const std::string end(40, 'x');
+  std::string places, staff;
+  for (int i = 1000; i < 1900; ++i) {
+    const std::string number = std::to_string(i);
+    places += "  - {name: p" + number + end + ", x: 1, y: 1, called: {en: p" + number + ", de: p" +
+              number + "}}\n";
+    for (const char* const wrong : {"q", "r"}) {
+      staff += wrong + number + ",Weber,," + wrong + number + end + ",,,,,\n";
+    }
+  }
+  Replace("places.yaml", "\nedges:", "\n" + places + "edges:");
+  Replace("staff.csv", "Anna,Weber", staff + "Anna,Weber");
+  Diagnostics diagnostics;
+  ReadCampus(folder_.path(), diagnostics);
+  const auto advised = std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
+                                     [](const Diagnostic& error) { return !error.hint.empty(); });
+  EXPECT_EQ(diagnostics.all().size(), 1800U);
+  EXPECT_GT(advised, 100);
+  EXPECT_LT(advised, 1000);
 }
 
 TEST_F(ReadCampusTest, AWrongFieldIsSaidWithItsLine) {

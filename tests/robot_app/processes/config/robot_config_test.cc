@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "tests/robot_app/processes/temporary.h"
@@ -210,6 +211,25 @@ TEST_F(RobotConfigTest, MoreProcessesThanARobotHasAreAnError) {
   }
   Read(text + "configurations: {all: [p1]}\ninitial: all\n");
   EXPECT_THAT(Errors(), HasSubstr("\"processes\": expected at most 1000 entries"));
+}
+
+// Advice on each would take a minute.
+TEST_F(RobotConfigTest, OfVeryManyUnknownNamesOnlyTheFirstGetAdvice) {
+  const std::string end(40, 'x');
+  std::string text = "processes:\n";
+  for (int i = 0; i < 1000; ++i) {
+    const std::string number = std::to_string(1000 + i);
+    text += "  - {name: p" + number + end + ", command: [x], depends: [";
+    for (int k = 0; k < 9; ++k) text += "p" + number + std::to_string(k) + end + ", ";
+    text += "]}\n";
+  }
+  Read(text + "configurations: {}\n");
+  const auto is_advised = [](const Diagnostic& error) { return !error.hint.empty(); };
+  const auto advised =
+      std::count_if(diagnostics_.all().begin(), diagnostics_.all().end(), is_advised);
+  EXPECT_GT(diagnostics_.all().size(), 9000u);
+  EXPECT_GT(advised, 100);
+  EXPECT_LT(advised, 1000);
 }
 
 TEST_F(RobotConfigTest, FindsProcessesThatWaitForThemselves) {

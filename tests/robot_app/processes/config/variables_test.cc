@@ -12,11 +12,12 @@ using testing::ElementsAre;
 class VariablesTest : public testing::Test {
  protected:
   std::string Fill(const std::string& text) {
-    return FillVariables(text, {{"bin", "/b"}, {"empty", ""}},
+    return FillVariables(text, {{"bin", "/b"}, {"empty", ""}}, advisor_,
                          [this](const std::string& message, const std::string& hint) {
                            problems_.push_back(message + "|" + hint);
                          });
   }
+  Advisor advisor_;
   std::vector<std::string> problems_;
 };
 
