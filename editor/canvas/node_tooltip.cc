@@ -32,7 +32,7 @@ void Port(const Ui& ui, const PortLine& port, const std::string& now) {
   if (!now.empty()) Line(ui, Face::kMono, ui.palette.OfKey(port.key), "    = " + now);
   if (!port.model) return;
   std::string about = std::string("    ") + ToString(port.model->direction);
-  if (!port.model->type.empty()) about += " " + port.model->type;
+  if (!port.model->type.empty()) about += " " + std::string(TypeText(port.model->type));
   if (!port.model->description.empty()) about += ": " + port.model->description;
   Line(ui, Face::kSans, ui.palette.text_dim, about);
 }

@@ -37,7 +37,7 @@ RunTree::RunTree(std::shared_ptr<const TreeDescription> description, const NodeM
   for (const Document* document : forest_.documents()) models_.AddFrom(*document);
   if (!description_->models.empty()) {
     const auto models = Document::FromText(description_->models, "models", problems_);
-    if (models) models_.AddFrom(*models);
+    if (models) models_.AddTold(*models, "the running program");
   }
   for (NodeIndex i{0}; i < description_->nodes.size(); ++i) {
     const DescribedNode& node = description_->nodes[i];

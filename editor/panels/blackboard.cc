@@ -194,7 +194,7 @@ class Board {
         ImGui::SetNextWindowPos({row.box.min.x, row.box.min.y - 4 * ui_.scale}, ImGuiCond_Always,
                                 {0, 1});
       }
-      Tooltip(ui_, described.name + " : " + described.type + "\n" +
+      Tooltip(ui_, described.name + " : " + std::string(TypeText(described.type)) + "\n" +
                        PrintBeginning(Bytes(slot), kTooltipBytes) + by +
                        "\nClick to see its writes, double-click to write it.");
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");

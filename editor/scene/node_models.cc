@@ -30,7 +30,13 @@ NodeModels::NodeModels() {
   }
 }
 
-void NodeModels::AddFrom(const Document& document) {
+void NodeModels::AddFrom(const Document& document) { Add(document, nullptr); }
+
+void NodeModels::AddTold(const Document& document, const std::string& teller) {
+  Add(document, &teller);
+}
+
+void NodeModels::Add(const Document& document, const std::string* teller) {
   Diagnostics ignored;
   for (const Element& element : document.elements()) {
     if (element.tag != "TreeNodesModel") continue;
@@ -39,7 +45,8 @@ void NodeModels::AddFrom(const Document& document) {
       if (known && known->source == kBuiltIn) continue;
       const SourceLocation where = document.Location(document.element(model.element).offset);
       std::string id = model.id;
-      models_[std::move(id)] = {std::move(model), where.file + ":" + std::to_string(where.line)};
+      models_[std::move(id)] = {std::move(model),
+                                teller ? *teller : where.file + ":" + std::to_string(where.line)};
     }
   }
 }
@@ -47,6 +54,10 @@ void NodeModels::AddFrom(const Document& document) {
 const KnownModel* NodeModels::Find(std::string_view id) const {
   const auto found = models_.find(id);
   return found == models_.end() ? nullptr : &found->second;
+}
+
+std::string_view TypeText(std::string_view type) {
+  return type == "BT::AnyTypeAllowed" || type == "AnyTypeAllowed" ? "any type" : type;
 }
 
 NodeModels ModelsFor(const std::vector<const Document*>& given,

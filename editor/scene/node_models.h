@@ -18,7 +18,7 @@ inline constexpr char kBuiltIn[] = "built-in";
 
 /// `document` is not used: models come from several projects and robots.
 struct KnownModel : NodeModel {
-  std::string source;  ///< kBuiltIn, or "file:line" of the model
+  std::string source;  ///< kBuiltIn, "file:line" of the model, or who told it
 };
 
 class NodeModels {
@@ -30,6 +30,8 @@ class NodeModels {
   /// replaced, but for the built-in ones. What is no model is left out: the check of the file
   /// reports it.
   void AddFrom(const Document& document);
+  /// The same of a text that no file holds: `teller` is the source of its models.
+  void AddTold(const Document& document, const std::string& teller);
 
   /// The model of that ID, or null.
   const KnownModel* Find(std::string_view id) const;
@@ -37,8 +39,13 @@ class NodeModels {
   const std::map<std::string, KnownModel, std::less<>>& all() const { return models_; }
 
  private:
+  void Add(const Document& document, const std::string* teller);
+
   std::map<std::string, KnownModel, std::less<>> models_;
 };
+
+/// The type of a port in words: what models write for a port of any type says nothing to users.
+std::string_view TypeText(std::string_view type);
 
 /// What is known of the types in these trees: the built-in ones, what `given` describes, what the
 /// trees describe themselves (the last one counts), and, where none of them does, the nodes of

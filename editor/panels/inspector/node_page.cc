@@ -383,7 +383,8 @@ class NodePage {
     }
     if (model) text += UsersOf(model->name);
     if (model) {
-      text += std::string("\n") + ToString(model->direction) + " " + model->type;
+      text += std::string("\n") + ToString(model->direction) + " ";
+      text += TypeText(model->type);
       if (!model->description.empty()) text += "\n" + InOneLine(model->description);
     }
     Tooltip(ui_, text);

@@ -23,7 +23,8 @@ TEST(RunTreeTest, GivesTheNodesOfTheSceneTheirNumbersInTheRun) {
     EXPECT_EQ(scene.nodes[i].run_node, i);
     EXPECT_EQ(scene.of_run_node[i], i);
   }
-  EXPECT_NE(tree.models().Find("Do"), nullptr) << "the run brings its models";
+  ASSERT_NE(tree.models().Find("Do"), nullptr) << "the run brings its models";
+  EXPECT_EQ(tree.models().Find("Do")->source, "the running program") << "no file holds them";
   EXPECT_NE(tree.recorded().program, nullptr);
 }
 

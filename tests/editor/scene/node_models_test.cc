@@ -25,6 +25,11 @@ TEST(NodeModels, KnowTheBuiltInTypes) {
   EXPECT_EQ(models.Find("DriveTo"), nullptr);
 }
 
+TEST(NodeModels, SayInWordsWhatEveryTypeFits) {
+  EXPECT_EQ(TypeText("BT::AnyTypeAllowed"), "any type");
+  EXPECT_EQ(TypeText("Pose2D"), "Pose2D");
+}
+
 TEST(NodeModels, ReadPortsInTheDeclaredOrderWithTheirMeaning) {
   const NodeModels models =
       With(R"(<Action ID="Go"><output_port name="z" type="int"/>)"
