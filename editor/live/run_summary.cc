@@ -16,8 +16,9 @@ std::string SummaryOf(const RunView& run) {
     case RunPhase::kLoading:
       std::snprintf(text, sizeof(text), "loading %.0f %%", run.source().progress() * 100);
       return text;
-    case RunPhase::kSimulation:
-      return "tick " + std::to_string(number);
+    case RunPhase::kSimulation:  // it goes on from where it is shown
+      return "tick " +
+             std::to_string(run.is_at_beginning() ? 0 : ticks[run.playhead().tick()].number);
     case RunPhase::kRecord:
       return "record   tick " + std::to_string(number);
     default: {

@@ -62,6 +62,10 @@ class RunView final : private LiveListener {
   const Playhead& playhead() const { return playhead_; }
   /// The tree at the shown tick; null before there is one.
   const std::shared_ptr<const RunTree>& tree() const { return tree_; }
+  /// Before the first tick is shown: of the run, or of one that was begun anew.
+  bool is_at_beginning() const {
+    return playhead_.is_at_now() && (run_.size() == 0 || run_.is_at_beginning());
+  }
   /// How it stands there, as of the last Update. There must be a tree.
   const HistoryFollower& follower() const;
   const TreeSnapshot& state() const { return state_; }

@@ -62,9 +62,16 @@ class Bar {
 
   void DrawTime() {
     const Simulation& simulation = *state_.simulator.get();
+    Duration now = simulation.now();
+    std::uint64_t tick = simulation.ticks();
+    const RunView& run = *state_.workspace.run();
+    if (!run.playhead().is_at_now()) {  // it goes on from what is shown
+      const Recording::Tick& shown = run.run().recording().ticks()[run.playhead().tick()];
+      now = Simulation::SinceBeginning(shown.start);
+      tick = shown.number;
+    }
     char seconds[32];
-    std::snprintf(seconds, sizeof(seconds), "%.7g s",
-                  static_cast<double>(simulation.now().count()) * 1e-9);
+    std::snprintf(seconds, sizeof(seconds), "%.7g s", static_cast<double>(now.count()) * 1e-9);
     std::string result;
     TextStyle style{Face::kSans, 12, ui_.palette.text};
     if (const auto status = state_.simulator.result()) {
@@ -73,7 +80,7 @@ class Bar {
     }
     left_ += 4 * ui_.scale;
     // The number of the tick is in the timeline, too.
-    std::string what = seconds + ("   tick " + std::to_string(simulation.ticks())) + result;
+    std::string what = seconds + ("   tick " + std::to_string(tick)) + result;
     if (ui_.Width(what, style) > right_ - left_) what = seconds + result;
     Write(what, style, "sim/time");
   }

@@ -54,7 +54,9 @@ void SimulatedTree::Reload(std::shared_ptr<const Program> program) {
 void SimulatedTree::TellTo(HistoryHandler& handler, bool knows_tree) {
   handler_ = &handler;
   if (!knows_tree) Describe(handler);
-  handler.OnState(follower_->State(HistoryState::Cause::kJump));
+  const bool begins = player_.tree().executor().ticks() == 0;
+  handler.OnState(
+      follower_->State(begins ? HistoryState::Cause::kBegin : HistoryState::Cause::kJump));
 }
 
 void SimulatedTree::OnTick(const TickEvents& events) {

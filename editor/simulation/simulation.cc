@@ -21,9 +21,9 @@ Simulation::Simulation(std::shared_ptr<const Program> program, HistoryHandler& r
 void Simulation::Begin(std::shared_ptr<const Program> program, std::optional<Chance> chance) {
   next_ = {};
   moves_.push_back({kNone, program, chance, {}});
-  at_ = moves_.size() - 1;
   HistoryHandler* const teller = this;
   tree_ = std::make_unique<SimulatedTree>(std::move(program), std::move(chance), teller);
+  StandAtEnd(moves_.size() - 1);
 }
 
 void Simulation::OnTick(const TickEvents& events) {
@@ -103,15 +103,18 @@ void Simulation::Halt() {
 }
 
 StepOutcome Simulation::Play(ScenarioStep step) {
+  TellPlace();
   moves_.push_back({at_, nullptr, std::nullopt, std::move(step)});
-  at_ = moves_.size() - 1;
+  StandAtEnd(moves_.size() - 1);
   return tree_->Play(moves_[at_].step);
 }
 
 void Simulation::Reload(std::shared_ptr<const Program> program) {
+  const bool is_at_end = at_ == told_;
   moves_.push_back({at_, program, std::nullopt, {}});
   at_ = moves_.size() - 1;
   tree_->Reload(std::move(program));
+  if (is_at_end) StandAtEnd(at_);
 }
 
 bool Simulation::GoTo(std::size_t tick) {
@@ -121,20 +124,42 @@ bool Simulation::GoTo(std::size_t tick) {
 }
 
 bool Simulation::Back() {
-  std::size_t move = at_;
-  while (moves_[move].before != kNone && moves_[move].program) move = moves_[move].before;
+  const std::size_t move = WithoutReloads(at_);
   if (moves_[move].before == kNone) return false;
   GoToMove(moves_[move].before);
+  if (!tick_of_run()) TellPlace();
   return true;
 }
 
+std::size_t Simulation::WithoutReloads(std::size_t move) const {
+  while (moves_[move].before != kNone && moves_[move].program) move = moves_[move].before;
+  return move;
+}
+
+std::optional<std::size_t> Simulation::tick_of_run() const {
+  const auto last = std::find(move_of_tick_.rbegin(), move_of_tick_.rend(), WithoutReloads(at_));
+  if (last == move_of_tick_.rend()) return std::nullopt;
+  return static_cast<std::size_t>(move_of_tick_.rend() - last) - 1;
+}
+
 void Simulation::GoToMove(std::size_t move) {
+  if (WithoutReloads(move) == WithoutReloads(at_)) return;
   next_ = {};
   const std::shared_ptr<const Program> present = program();
   tree_ = Replay(move, nullptr);
   at_ = move;
-  tree_->TellTo(*this, program() == present);
   if (program() != present) Reload(present);
+}
+
+void Simulation::TellPlace() {
+  if (at_ == told_) return;
+  tree_->TellTo(*this, program() == told_program_);
+  StandAtEnd(at_);
+}
+
+void Simulation::StandAtEnd(std::size_t move) {
+  at_ = told_ = move;
+  told_program_ = program();
 }
 
 std::unique_ptr<SimulatedTree> Simulation::Replay(std::size_t to, HistoryHandler* handler) const {

@@ -33,7 +33,9 @@ class Simulation final : private HistoryHandler {
 
   const std::shared_ptr<const Program>& program() const { return tree_->program(); }
   /// Since the beginning, on this way.
-  Duration now() const { return tree_->now() - kStart; }
+  Duration now() const { return SinceBeginning(tree_->now()); }
+  /// Of a time of its run.
+  static Duration SinceBeginning(Time time) { return time - kStart; }
   /// Since the beginning, on this way.
   std::uint64_t ticks() const { return tree_->player().tree().executor().ticks(); }
   const HistoryFollower& state() const { return tree_->state(); }
@@ -63,10 +65,16 @@ class Simulation final : private HistoryHandler {
   void Reload(std::shared_ptr<const Program> program);
 
   /// Makes the tree as it was behind that tick of the run; if it has changed since, it is reloaded
-  /// there. False if the run has not got this tick from here.
+  /// there. The run learns of it when the tree goes on from there: until then its end is what
+  /// happened last. False if the run has not got this tick from here.
   bool GoTo(std::size_t tick);
-  /// Takes back the last tick; false at the beginning.
+  /// Makes the tree as it is at the end of the run.
+  void GoToEnd() { GoToMove(told_); }
+  /// Takes back the last tick; false at the beginning. A beginning is the new end of the run: it
+  /// is no tick that one could look at.
   bool Back();
+  /// The tick of the run behind which the tree stands; nothing at a beginning.
+  std::optional<std::size_t> tick_of_run() const;
   /// Begins anew, with the tree as it is now.
   void Restart();
   /// Begins anew by chance, or, with nothing, with leaves that always do the same.
@@ -110,11 +118,16 @@ class Simulation final : private HistoryHandler {
   void Begin(std::shared_ptr<const Program> program, std::optional<Chance> chance);
   StepOutcome Play(ScenarioStep step);
   void GoToMove(std::size_t move);
+  std::size_t WithoutReloads(std::size_t move) const;
+  void TellPlace();
+  void StandAtEnd(std::size_t move);
   std::unique_ptr<SimulatedTree> Replay(std::size_t to, HistoryHandler* handler) const;
 
   HistoryHandler& run_;
   std::vector<Move> moves_;
   std::size_t at_ = kNone;
+  std::size_t told_ = kNone;  // where the tree stands at the end of the run
+  std::shared_ptr<const Program> told_program_;
   std::vector<std::size_t> move_of_tick_;
   ScenarioStep next_;  // gathers what the user sets before the next tick
   std::unique_ptr<SimulatedTree> tree_;

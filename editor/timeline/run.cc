@@ -28,6 +28,12 @@ const auto& LastAt(const Elements& elements, std::size_t tick) {
 
 const Tracks& Run::TracksAt(std::size_t tick) const { return *LastAt(tracks_, tick).tracks; }
 
+bool Run::is_at_beginning() const {
+  const auto& sections = recording_.sections();
+  return !sections.empty() && sections.back().first_tick == size() &&
+         sections.back().state.cause == HistoryState::Cause::kBegin;
+}
+
 Time Run::TimeOf(std::size_t tick) const {
   return recording_.ticks()[tick].start + LastAt(epochs_, tick).offset;
 }

@@ -43,6 +43,8 @@ class Run final : public HistoryHandler {
 
   /// Of the tree that runs at a tick; at the end: of the newest tree. There must be a tree.
   const Tracks& TracksAt(std::size_t tick) const;
+  /// At the end the tree stands at a beginning: what was ticked is of a run before.
+  bool is_at_beginning() const;
   /// How the tree stands at the end.
   const HistoryFollower& now() const { return *follower_; }
 

@@ -79,14 +79,23 @@ bool SimulationEditor::IsShown() const {
   return run && run->source().is_simulation() && state_.simulator.get();
 }
 
-Simulation* SimulationEditor::GoOn() {
+Simulation* SimulationEditor::AtPlayhead() {
   if (!IsShown()) return nullptr;
+  Simulation& simulation = *state_.simulator.get();
   Playhead& playhead = state_.workspace.run()->playhead();
-  if (!playhead.is_at_now()) {
-    state_.simulator.get()->GoTo(playhead.tick());
-    playhead.GoToNow();
+  if (playhead.is_at_now()) {
+    simulation.GoToEnd();
+  } else {
+    simulation.GoTo(playhead.tick());
   }
-  return state_.simulator.get();
+  if (state_.simulator.is_playing()) playhead.GoToNow();
+  return &simulation;
+}
+
+Simulation* SimulationEditor::GoOn() {
+  Simulation* const simulation = AtPlayhead();
+  if (simulation) state_.workspace.run()->playhead().GoToNow();
+  return simulation;
 }
 
 void SimulationEditor::PlayOrPause() {
@@ -134,8 +143,15 @@ void SimulationEditor::TickUntilTicked() {
 
 void SimulationEditor::Back() {
   state_.simulator.Pause();
-  Simulation* simulation = GoOn();
-  if (simulation && !simulation->Back()) state_.Notify("this is the beginning", now_, true);
+  Simulation* simulation = AtPlayhead();
+  if (!simulation) return;
+  if (!simulation->Back()) return state_.Notify("this is the beginning", now_, true);
+  RunView& run = *state_.workspace.run();
+  run.Update(state_.workspace.hooks, now_);
+  const std::optional<std::size_t> tick = simulation->tick_of_run();
+  state_.simulator.SetResult(tick ? run.run().recording().ticks()[*tick].result : Status::kIdle);
+  if (!tick) return run.playhead().GoToNow();
+  run.playhead().GoToTick(*tick);
 }
 
 void SimulationEditor::Halt() {
@@ -145,6 +161,7 @@ void SimulationEditor::Halt() {
 void SimulationEditor::Restart() {
   state_.simulator.Pause();
   if (Simulation* simulation = GoOn()) simulation->Restart();
+  state_.simulator.SetResult(Status::kIdle);
 }
 
 void SimulationEditor::PlayAgain() {
@@ -162,6 +179,7 @@ Outcome SimulationEditor::SetSeed(const std::string& text) {
   const std::optional<std::uint64_t> seed = NumberIn(text, kLargestSeed);
   if (!seed && !text.empty()) return Problem{"a seed is a whole number"};
   if (!simulation) return {};
+  state_.simulator.SetResult(Status::kIdle);
   if (!seed) {
     simulation->SetChance(std::nullopt);
     return {};
@@ -235,7 +253,7 @@ NodeIndex SimulationEditor::SelectedLeaf() const {
 }
 
 void SimulationEditor::SetLeaf(NodeIndex leaf, const MockScript& script) {
-  Simulation* simulation = GoOn();
+  Simulation* simulation = AtPlayhead();
   if (simulation) simulation->SetScript(leaf, script);
 }
 
@@ -260,20 +278,20 @@ Outcome SimulationEditor::SetScript(const std::string& text) {
 Outcome SimulationEditor::SetKey(const std::string& assignment) {
   const std::size_t sign = assignment.find('=');
   if (sign == std::string::npos) return Problem{"write it like this: battery_level = 0.2"};
-  Simulation* simulation = GoOn();
+  Simulation* simulation = AtPlayhead();
   if (!simulation) return Problem{"there is no simulation"};
   return simulation->SetKey(Trimmed(assignment.substr(0, sign)),
                             Trimmed(assignment.substr(sign + 1)));
 }
 
 Outcome SimulationEditor::SaveAsScenario(const std::string& name) {
-  Simulation* simulation = state_.simulator.get();
+  Simulation* simulation = AtPlayhead();
   if (!simulation || name.empty()) return Problem{"a name is needed"};
   if (simulation->ticks() == 0) return Problem{"nothing has happened yet"};
   Diagnostics diagnostics;
   const std::string path =
-      SaveScenario(GoOn() ? simulation->Record(name) : Scenario(), state_.simulator.path(),
-                   state_.simulator.tree_id(), state_.workspace.model_files(), "", diagnostics);
+      SaveScenario(simulation->Record(name), state_.simulator.path(), state_.simulator.tree_id(),
+                   state_.workspace.model_files(), "", diagnostics);
   if (path.empty()) return Problem{FirstProblem(diagnostics)};
   state_.Notify("\"" + name + "\" is a test in " + NameOf(path), now_);
   state_.screen.tiles.tests = true;
@@ -282,7 +300,7 @@ Outcome SimulationEditor::SaveAsScenario(const std::string& name) {
 }
 
 Outcome SimulationEditor::SaveAsRecord(const std::string& path) {
-  Simulation* simulation = GoOn();
+  Simulation* simulation = AtPlayhead();
   if (!simulation || path.empty()) return Problem{"a path is needed"};
   Diagnostics diagnostics;
   if (!WriteFile(path, simulation->ToRecord(), diagnostics))

@@ -65,6 +65,9 @@ class SimulationEditor {
   void ShowTest(const ScenarioTest& test);
 
  private:
+  // Brings the simulation to the moment that is shown; null if none is shown.
+  Simulation* AtPlayhead();
+  // The same, to tick there: what comes is shown.
   Simulation* GoOn();
   void SetLeaf(NodeIndex leaf, const MockScript& script);
 

@@ -71,6 +71,8 @@ void DrawLine(const Ui& ui, EditorState& state, const WhyLine& line, std::size_t
 }  // namespace
 
 void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
+  const bool is_stopped = run.stop().where != DebugStop::Where::kNowhere;
+  if (run.is_at_beginning() && !is_stopped) return Hint(ui, "Nothing was ticked yet.");
   state.run.why.Ask(run, SelectedNode(state));
   const WhyAnswer& why = state.run.why;
   const std::string tick = TickText(run.run(), run.playhead().tick());

@@ -260,7 +260,8 @@ void DrawControls(const Ui& ui, EditorState& state, const RunView& run, const Bo
   std::snprintf(speed, sizeof(speed), "%s%g", icon::kTimesSign, head.speed());
   button("timeline/speed", speed, "run.faster", false, 0);
   ui.RowText(*ImGui::GetWindowDrawList(), {x + 8 * ui.scale, box.min.y}, kPanelHeader * ui.scale,
-             TickText(run.run(), head.tick()), {Face::kMono, 11, ui.palette.text},
+             run.is_at_beginning() ? "the beginning" : TickText(run.run(), head.tick()),
+             {Face::kMono, 11, ui.palette.text},
              std::max(box.max.x - x - (is_wide ? kHintRoom : 12) * ui.scale, 1.0F));
 }
 

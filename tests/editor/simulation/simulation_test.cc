@@ -91,11 +91,13 @@ TEST_F(SimulationTest, GoesBackToAnyTickAndOnFromThere) {
   for (const std::size_t tick : {25U, 3U, 13U, 30U, 0U}) {
     ASSERT_TRUE(simulation_.GoTo(tick));
     EXPECT_EQ(Statuses(), seen[tick]) << tick;
-    EXPECT_EQ(run_.now().statuses(), seen[tick]) << "the run knows it too";
+    EXPECT_EQ(simulation_.tick_of_run(), tick);
+    EXPECT_EQ(run_.now().statuses(), seen[30]) << "its end is what happened last";
   }
   EXPECT_TRUE(simulation_.SetKey("battery", "0.1"));
   simulation_.Tick(milliseconds(100));
   EXPECT_EQ(StatusOf(kDock), Status::kRunning);
+  EXPECT_EQ(run_.now().statuses(), Statuses());
   EXPECT_EQ(simulation_.now(), milliseconds(100));
   EXPECT_EQ(run_.size(), 32U) << "what was simulated before is still there";
   EXPECT_TRUE(simulation_.GoTo(30)) << "and one can go on from it";
@@ -111,7 +113,23 @@ TEST_F(SimulationTest, TakesBackTickByTick) {
   EXPECT_TRUE(simulation_.Back());
   EXPECT_EQ(StatusOf(kGo), Status::kIdle);
   EXPECT_EQ(simulation_.ticks(), 0U);
+  EXPECT_TRUE(run_.is_at_beginning());
   EXPECT_FALSE(simulation_.Back());
+}
+
+TEST_F(SimulationTest, TheTickOfTheRunIsThatOfThisWayWhateverItsNumber) {
+  for (int i = 0; i < 3; ++i) simulation_.Tick(milliseconds(100));
+  simulation_.Restart();
+  EXPECT_EQ(simulation_.tick_of_run(), std::nullopt);
+  EXPECT_TRUE(run_.is_at_beginning());
+  for (int i = 0; i < 3; ++i) simulation_.Tick(milliseconds(100));
+  EXPECT_FALSE(run_.is_at_beginning());
+  EXPECT_TRUE(simulation_.Back());
+  EXPECT_EQ(simulation_.tick_of_run(), 4U) << "two runs of three ticks";
+  ASSERT_TRUE(simulation_.GoTo(1));
+  EXPECT_EQ(simulation_.ticks(), 2U);
+  simulation_.GoToEnd();
+  EXPECT_EQ(simulation_.tick_of_run(), 5U);
 }
 
 TEST_F(SimulationTest, TicksUntilSomethingChanges) {

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "editor/live/run_summary.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {
@@ -74,6 +75,45 @@ TEST_F(SimulationEditorTest, KeysAreSetByAssignment) {
   EXPECT_THAT(Simulate().SetKey("gaol = 1").problem(), HasSubstr(R"(no key "gaol")"));
   Simulate().Tick();
   EXPECT_EQ(simulation().ValueOf("goal"), "kitchen");
+}
+
+// After "again" the run has each number twice.
+TEST_F(SimulationEditorTest, AllThatIsShownGoesBackWithTheSimulation) {
+  Start();
+  EXPECT_EQ(Simulate().RunTicks("3").problem(), "");
+  Simulate().PlayAgain();
+  driver_.Frames();
+  Simulate().Back();
+  driver_.Frames();
+  const RunView& run = *state().workspace.run();
+  EXPECT_FALSE(run.playhead().is_at_now());
+  EXPECT_EQ(run.playhead().tick(), 4U) << "the timeline: the second of three ticks, again";
+  EXPECT_EQ(SummaryOf(run), "tick 2") << "the strip";
+  EXPECT_EQ(simulation().ticks(), 2U);
+  EXPECT_EQ(Simulate().SetKey("goal = kitchen").problem(), "");
+  EXPECT_EQ(run.playhead().tick(), 4U) << "nothing was ticked";
+  Simulate().Tick();
+  driver_.Frames();
+  EXPECT_EQ(simulation().ValueOf("goal"), "kitchen");
+  EXPECT_EQ(run.playhead().tick(), 6U);
+  EXPECT_EQ(SummaryOf(run), "tick 3");
+}
+
+TEST_F(SimulationEditorTest, ABeginningIsNoTickOfTheRunBefore) {
+  Start();
+  EXPECT_EQ(Simulate().RunTicks("100").problem(), "");
+  const RunView& run = *state().workspace.run();
+  Simulate().Restart();
+  driver_.Frames();
+  EXPECT_TRUE(run.is_at_beginning());
+  EXPECT_EQ(SummaryOf(run), "tick 0");
+  EXPECT_FALSE(state().simulator.result());
+  Simulate().Tick();
+  driver_.Frames();
+  EXPECT_EQ(SummaryOf(run), "tick 1");
+  Simulate().Back();
+  driver_.Frames();
+  EXPECT_TRUE(run.is_at_beginning());
 }
 
 TEST_F(SimulationEditorTest, ManyRunsKnowWhatTheSimulationWasTold) {
