@@ -5,7 +5,8 @@
 #   include/coppice.
 function(coppice_library name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-  add_library(${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
+  coppice_join(${name} sources ${ARG_UNPARSED_ARGUMENTS})
+  add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                             $<INSTALL_INTERFACE:include/coppice>)
   target_compile_features(${name} PUBLIC cxx_std_17)
@@ -19,7 +20,8 @@ endfunction()
 # coppice_program(NAME SOURCES... [LINK libraries...])   builds build/bin/NAME
 function(coppice_program name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS} ${COPPICE_SANITIZER_OPTIONS})
+  coppice_join(${name} sources ${ARG_UNPARSED_ARGUMENTS})
+  add_executable(${name} ${sources} ${COPPICE_SANITIZER_OPTIONS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} coppice_warnings)
   if(NOT EMSCRIPTEN)
@@ -51,7 +53,7 @@ function(coppice_test name)
   if(NOT ARG_PROCESSES)
     set(ARG_PROCESSES 0)
   endif()
-  coppice_join(${name} sources ${ARG_UNPARSED_ARGUMENTS})
+  coppice_join_tests(${name} sources ${ARG_UNPARSED_ARGUMENTS})
   coppice_test_program(${name} ${sources}
     LINK ${ARG_LINK} test_support GTest::gmock GTest::gtest_main)
   if(NOT ARG_OPTIMIZED)
@@ -70,36 +72,6 @@ function(coppice_test name)
   endif()
   list(JOIN properties "," properties)
   coppice_list_suites(${name} ${ARG_PROCESSES} "${properties}")
-endfunction()
-
-# coppice_join(NAME RESULT SOURCES...)   sources named *_test.cc, ten at a time as one to compile
-option(COPPICE_JOINED_TESTS "Compile ten sources of a test at a time" ON)
-function(coppice_join name result)
-  set(tests ${ARGN})
-  list(FILTER tests INCLUDE REGEX "_test\\.cc$")
-  list(LENGTH tests count)
-  if(NOT COPPICE_JOINED_TESTS OR count LESS 3)
-    set(${result} ${ARGN} PARENT_SCOPE)
-    return()
-  endif()
-  set(compiled ${ARGN})
-  list(FILTER compiled EXCLUDE REGEX "_test\\.cc$")
-  list(TRANSFORM tests PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
-  math(EXPR units "(${count} + 9) / 10")
-  math(EXPR size "(${count} + ${units} - 1) / ${units}")  # as equal as they can be
-  foreach(unit RANGE 1 ${units})
-    math(EXPR first "(${unit} - 1) * ${size}")
-    list(SUBLIST tests ${first} ${size} sources)
-    set(file ${CMAKE_CURRENT_BINARY_DIR}/${name}_${unit}.cc)
-    string(REPLACE ";" "," listed "${sources}")
-    add_custom_command(OUTPUT ${file}
-      COMMAND ${CMAKE_COMMAND} -D SOURCES=${listed} -D UNIT=${unit} -D FILE=${file}
-              -D FOLDER=${PROJECT_BINARY_DIR}
-              -P ${PROJECT_SOURCE_DIR}/cmake/JoinSources.cmake
-      DEPENDS ${sources} ${PROJECT_SOURCE_DIR}/cmake/JoinSources.cmake VERBATIM)
-    list(APPEND compiled ${file})
-  endforeach()
-  set(${result} ${compiled} PARENT_SCOPE)
 endfunction()
 
 # coppice_list_suites(PROGRAM PROCESSES PROPERTIES)   what ctest runs is listed when the program is built
