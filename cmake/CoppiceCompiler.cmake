@@ -14,10 +14,6 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1 -DNDEBUG")
 # A test runs once for each time that it is compiled: what it tests is optimized, it is not.
 set(COPPICE_TEST_OPTIONS -O0)
 
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # it looks for garbage from 512 MB on: a tenth of the time
-  add_compile_options(--param=ggc-min-heapsize=524288)
-endif()
-
 add_library(coppice_warnings INTERFACE)
 target_compile_options(coppice_warnings INTERFACE -Wall -Wextra)
 if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR)  # others compile with options that nobody here has seen

@@ -3,6 +3,10 @@
 # source is compiled, as clangd and clang-tidy.
 option(COPPICE_JOINED "Compile up to ten sources, or 25 of tests, at a time" ON)
 find_program(COPPICE_JOINING python3 HINTS /usr/bin)
+if(COPPICE_JOINED AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # It looks for garbage from 512 MB on, which takes a tenth less time.
+  add_compile_options(--param=ggc-min-heapsize=524288)
+endif()
 
 # coppice_join(NAME RESULT SOURCES...)   what the target NAME compiles in place of its sources
 #   joined_sources.py says which are joined. What has options of its own, which are set before, is not.
