@@ -44,6 +44,7 @@ function(coppice_join name result)
 endfunction()
 
 # coppice_join_tests(NAME RESULT SOURCES...)   sources named *_test.cc, 25 at a time as one to compile
+#   All of a test lies in an unnamed namespace: JoinSources.cmake gives it a name, and any tests can meet.
 function(coppice_join_tests name result)
   set(tests ${ARGN})
   list(FILTER tests INCLUDE REGEX "_test\\.cc$")

@@ -20,7 +20,8 @@ MOST = 10
 UNNAMED = re.compile(r'^namespace \{$(.*?)^\}  // namespace$', re.S | re.M)
 NOISE = re.compile(r'//[^\n]*|"(?:[^"\\\n]|\\.)*"|\[\[.*?\]\] ?')
 ARGUMENTS_OF_TEMPLATES = re.compile(r'<[^<>]*>')
-TYPE = re.compile(r'(?:struct|class|enum|enum class|using|namespace|union) (\w+)\b(?!::| \w+[^\w ])')
+TYPE = re.compile(r'(?:struct|class|enum|enum class|using|namespace|union) '
+                  r'(\w+)\b(?!::| \w+[^\w ])')
 NO_NAME = {'class', 'const', 'delete', 'operator', 'return', 'static_assert', 'std'}
 NOTHING_NEW = re.compile(r'^namespace [\w:]+ \{$|^(?:class|struct|enum class) \w+;$', re.M)
 DECLARED = re.compile(r'(?<![:\w])(\w+)\s*[(={;\[]')

@@ -66,6 +66,7 @@ class JoinedSources(unittest.TestCase):
                      'struct {\n  int a;\n} constexpr kSame{1};'):
             with self.subTest(name):
                 self.assert_apart(source(name), source(name))
+                self.assert_apart(source(name), source(seen='Same(same, kSame);'))
 
     def test_a_source_is_not_joined_with_one_that_has_another_meaning_for_a_word_of_it(self):
         self.assert_apart(source('int Find(const char* text);'), source(seen='int a = Find("a");'))
